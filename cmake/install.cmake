@@ -16,7 +16,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/tactConfigVersion.cmake C
 install(FILES ${PROJECT_BINARY_DIR}/tactConfig.cmake ${PROJECT_BINARY_DIR}/tactConfigVersion.cmake
   ${CMAKE_CURRENT_LIST_DIR}/FindGMP.cmake DESTINATION ${package_dir} COMPONENT development)
 
-foreach(program tact_cli tact_check)
+foreach(program tact_cli tact-check)
   if(TARGET ${program})
     install(TARGETS ${program} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT programs)
   endif()
