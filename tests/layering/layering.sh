@@ -1,17 +1,41 @@
 #!/usr/bin/env bash
 # layering.sh ROOT: do the sources below ROOT keep the rules of the house? Each breach is a line `file:line: ...`.
 # Rules: who may include whom; includes written from the root; no CGAL, Ipopt or Bullet in a header; no
-# using-directive in a header; #pragma once in every header; no source over 600 lines.
+# using-directive in a header; #pragma once in every header; no source over 600 lines; a folder's README.md has at
+# most 25 lines; a link of a text leads somewhere.
 set -euo pipefail
 cd "$1"
 
-sources=()
+rooms=()
 for room in algebra enumerators robot provers cli benchmarks tests examples; do
-  [[ -d $room ]] || continue
-  while IFS= read -r -d '' file; do sources+=("$file"); done < <(
-    find "$room" \( -name '*.h' -o -name '*.cc' \) -print0 | sort -z)
+  if [[ -d $room ]]; then rooms+=("$room"); fi
 done
+((${#rooms[@]})) || { echo "$1: expected algebra/ and its like, found none"; exit 1; }
+mapfile -d '' -t sources < <(find "${rooms[@]}" \( -name '*.h' -o -name '*.cc' \) -print0 | sort -z)
 ((${#sources[@]})) || { echo "$1: expected sources, found none"; exit 1; }
+mapfile -d '' -t texts < <(find . -maxdepth 1 -name '*.md' -printf '%f\0'; find "${rooms[@]}" -name '*.md' -print0)
+status=0
+
+if ((${#texts[@]})); then
+  for text in "${texts[@]}"; do
+    folder=.
+    if [[ $text == */* ]]; then folder=${text%/*}; fi
+    mapfile -t lines <"$text"
+    if [[ $text == */README.md ]] && ((${#lines[@]} > 25)); then
+      echo "$text:${#lines[@]}: ${#lines[@]} lines, at most 25"
+      status=1
+    fi
+    for ((i = 0; i < ${#lines[@]}; i++)); do
+      rest=${lines[i]}
+      while [[ $rest =~ \]\(([^\)#:]+)\)(.*) ]]; do
+        rest=${BASH_REMATCH[2]}
+        [[ -e $folder/${BASH_REMATCH[1]} ]] && continue
+        echo "$text:$((i + 1)): the link ${BASH_REMATCH[1]} leads nowhere"
+        status=1
+      done
+    done
+  done
+fi
 
 awk '
 function breach(what) { printf "%s:%d: %s\n", FILENAME, FNR, what; breaches++ }
@@ -54,4 +78,5 @@ header && /^[[:space:]]*using[[:space:]]+namespace[[:space:]]/ { breach("a using
   if (there in may && index(may[here], " " there " ") == 0) breach(here " may not include " there " (\"" path "\")")
 }
 END { end_of_file(); exit breaches > 0 }
-' "${sources[@]}"
+' "${sources[@]}" || status=1
+exit "$status"

@@ -7,39 +7,38 @@ trap 'rm -rf "$work"' EXIT
 failures=0
 cases=0
 
-clean_tree() {
-  rm -rf "$work/tree"
-  local room
-  for room in algebra/a enumerators/e robot/r provers/p provers/check cli benchmarks tests; do
-    mkdir -p "$work/tree/$room"
-    printf '#pragma once\n#include <string>\n' >"$work/tree/$room/${room##*/}.h"
-  done
-  printf '#include "cli/cli.h"\n' >"$work/tree/cli/main.cc"
+for room in algebra/a enumerators/e robot/r provers/p provers/check cli benchmarks tests; do
+  mkdir -p "$work/$room"
+  printf '#pragma once\n#include <string>\n' >"$work/$room/${room##*/}.h"
+done
+printf '#include "cli/cli.h"\n' >"$work/cli/main.cc"
+printf '# cli\n[the header](cli.h), [a place](https://example.org/), [above](../README.md)\n' >"$work/cli/README.md"
+printf '# all\n[cli](cli)\n' >"$work/README.md"
+
+# with FILE TEXT: output and status of the script for the clean tree with TEXT added to FILE; lines is FILE's length.
+with() {
+  local original
+  original=$(<"$work/$1")
+  printf '%s\n' "$2" >>"$work/$1"
+  mapfile -t lines <"$work/$1"
+  status=0
+  output=$("$script" "$work") || status=$?
+  printf '%s\n' "$original" >"$work/$1"
+  cases=$((cases + 1))
 }
 
-accepted() {  # accepted FILE LINE: LINE added to FILE breaks no rule
-  cases=$((cases + 1))
-  clean_tree
-  printf '%s\n' "$2" >>"$work/tree/$1"
-  if ! output=$("$script" "$work/tree"); then
-    failures=$((failures + 1))
-    echo "$1 with '$2': expected to be accepted, got: $output"
-  fi
+accepted() {  # accepted FILE TEXT: TEXT added to FILE breaks no rule
+  with "$1" "$2"
+  ((status)) || return 0
+  failures=$((failures + 1))
+  echo "$1 with '$2': expected to be accepted, got: $output"
 }
 
-refused() {  # refused FILE LINE WORDS: LINE added to FILE is refused, naming FILE, its line and WORDS
-  cases=$((cases + 1))
-  clean_tree
-  printf '%s\n' "$2" >>"$work/tree/$1"
-  local line
-  line=$(wc -l <"$work/tree/$1")
-  if output=$("$script" "$work/tree"); then
-    failures=$((failures + 1))
-    echo "$1 with '$2': expected to be refused, was accepted"
-  elif [[ $output != "$1:$line: "*"$3"* || $output == *$'\n'* ]]; then
-    failures=$((failures + 1))
-    echo "$1 with '$2': expected one line '$1:$line: ...$3...', got: $output"
-  fi
+refused() {  # refused FILE TEXT WORDS: TEXT added to FILE is refused in one line that names FILE, its line and WORDS
+  with "$1" "$2"
+  [[ $status != 1 || $output != "$1:${#lines[@]}: "*"$3"* || $output == *$'\n'* ]] || return 0
+  failures=$((failures + 1))
+  echo "$1 with '$2': expected status 1 and one line '$1:${#lines[@]}: ...$3...', got status $status: $output"
 }
 
 declare -A header=([algebra]=algebra/a/a.h [enumerators]=enumerators/e/e.h [robot]=robot/r/r.h [provers]=provers/p/p.h
@@ -78,10 +77,15 @@ accepted algebra/a/a.h '// using namespace std;'
 refused cli/main.cc "$(yes '//' | head -n 600)" '601 lines'
 accepted cli/main.cc "$(yes '//' | head -n 599)"
 
+accepted README.md "$(yes | head -n 30)"
+accepted cli/README.md "$(yes | head -n 23)"
+refused cli/README.md "$(yes | head -n 24)" '26 lines, at most 25'
+refused cli/README.md '[this](cli.h) and [that](absent.h)' 'the link absent.h leads nowhere'
+refused README.md '[checker](provers/check) and [that](absent)' 'the link absent leads nowhere'
+
 cases=$((cases + 1))
-clean_tree
-printf '#include <string>\n' >"$work/tree/robot/r/r.h"
-if output=$("$script" "$work/tree") || [[ $output != 'robot/r/r.h:1: a header without #pragma once' ]]; then
+printf '#include <string>\n' >"$work/robot/r/r.h"
+if output=$("$script" "$work") || [[ $output != 'robot/r/r.h:1: a header without #pragma once' ]]; then
   failures=$((failures + 1))
   echo "a header without #pragma once: expected to be refused by name, got: $output"
 fi
