@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "algebra/error.h"
+#include "tests/algebra/uniform.h"
 
 namespace tact::algebra {
 namespace {
@@ -45,21 +46,19 @@ RationalRows ToRationals(const IntegerMatrix& a) {
 // 2^62.
 IntegerMatrix AnyMatrix(size_t rows, size_t columns) {
   IntegerMatrix a(rows, columns);
-  const bool huge = *rc::gen::inRange(0, 4) == 0;
+  const bool huge = Uniform(0, 4) == 0;
   for (Integer& entry : a.entries) {
-    const int small = *rc::gen::inRange(-2, 3);
-    entry = huge ? Integer(small) * Integer((1LL << 62) - *rc::gen::inRange(0, 100)) : Integer(small);
+    const int small = Uniform(-2, 3);
+    entry = huge ? Integer(small) * Integer((1LL << 62) - Uniform(0, 100)) : Integer(small);
   }
   for (size_t i = 2; i < rows; ++i) {
-    if (*rc::gen::inRange(0, 3) != 0) continue;
+    if (Uniform(0, 3) != 0) continue;
     for (size_t j = 0; j < columns; ++j) a(i, j) = a(i - 1, j) + Integer(3) * a(i - 2, j);
   }
   return a;
 }
 
-IntegerMatrix AnyMatrix() {
-  return AnyMatrix(*rc::gen::inRange<size_t>(0, 7), *rc::gen::inRange<size_t>(1, 8));
-}
+IntegerMatrix AnyMatrix() { return AnyMatrix(Uniform<size_t>(0, 7), Uniform<size_t>(1, 8)); }
 
 bool IsZero(const IntegerVector& v) {
   for (const Integer& entry : v) {
@@ -161,7 +160,7 @@ RC_GTEST_PROP(LinearAlgebraLaw, VectorsThatDifferByTheSpaceReduceAlike, ()) {
   IntegerVector moved = v.RowVector(0);
   for (Integer& entry : moved) entry *= Integer(6);
   for (size_t i = 0; i < a.rows; ++i) {
-    const Integer times(*rc::gen::inRange(-3, 4));
+    const Integer times(Uniform(-3, 4));
     for (size_t j = 0; j < 5; ++j) moved[j] += times * a(i, j);
   }
   const EchelonBasis basis = RowSpace(a);
@@ -171,14 +170,14 @@ RC_GTEST_PROP(LinearAlgebraLaw, VectorsThatDifferByTheSpaceReduceAlike, ()) {
 RC_GTEST_PROP(LinearAlgebraTwin, SolveSolvesOrRefutes, ()) {
   const IntegerMatrix a = AnyMatrix();
   std::vector<Rational> b(a.rows);
-  const bool surely_solvable = *rc::gen::inRange(0, 2) == 0;
+  const bool surely_solvable = Uniform(0, 2) == 0;
   if (surely_solvable) {
     for (size_t j = 0; j < a.columns; ++j) {
-      const Rational x(*rc::gen::inRange(-5, 6), *rc::gen::inRange(1, 4));
+      const Rational x(Uniform(-5, 6), Uniform(1, 4));
       for (size_t i = 0; i < a.rows; ++i) b[i] += Rational(a(i, j)) * x;
     }
   } else {
-    for (Rational& entry : b) entry = Rational(*rc::gen::inRange(-5, 6), *rc::gen::inRange(1, 4));
+    for (Rational& entry : b) entry = Rational(Uniform(-5, 6), Uniform(1, 4));
   }
   const LinearSolution solution = Solve(a, b);
   RC_ASSERT(solution.x.has_value() == solution.refutation.empty());
