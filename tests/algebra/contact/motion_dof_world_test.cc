@@ -21,7 +21,7 @@ class MotionDofWorld : public testing::Test {
       for (int direction = 0; direction < 6; ++direction) {
         Vector3 normal;
         normal[direction / 2] = direction % 2 == 0 ? 1 : -1;
-        contacts_.push_back(At(point, normal));
+        contacts_.push_back({point, {normal}, ""});
         const naive::Row row = naive::MotionRows({{contacts_.back()}}).front();
         rows_.push_back(numbers.emplace(row, static_cast<int>(numbers.size())).first->second);
       }
