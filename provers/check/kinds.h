@@ -1,0 +1,27 @@
+/// @file
+/// One check a kind of certificate (docs/certificates.md). Each refuses what it cannot confirm, unknown keys
+/// too; the keys that every certificate has are checked before. Errors  Refused.
+#pragma once
+
+#include <initializer_list>
+#include <string_view>
+
+#include "provers/check/json_value.h"
+#include "provers/check/motion_numbers.h"
+
+namespace tact::check {
+
+/// The motion DOFs of a relation with evidence, all of which has been checked.
+MotionNumbers CheckRelation(const Value& relation);
+
+/// ExpectKeys with the keys of every certificate added.
+void ExpectCertificateKeys(const Value& certificate, std::initializer_list<std::string_view> required,
+                           std::initializer_list<std::string_view> optional = {});
+
+void CheckMotionDofs(const Value& certificate);
+void CheckCensus(const Value& certificate);
+void CheckTransitions(const Value& certificate);
+void CheckBasis(const Value& certificate);
+void CheckIllReducedSingular(const Value& certificate);
+
+}  // namespace tact::check
