@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include "tests/algebra/solid/solids.h"
 
@@ -191,6 +192,25 @@ TEST(PolyhedronRefusal, ATipThatTouchesFromWithin) {
   EXPECT_EQ(Refusal(Cube() + tip), "");
   for (Vector3& p : tip.points) p.x = Rational(2) - (p.x - 2) * Rational(1, 2);
   EXPECT_NE(Refusal(Cube() + Reversed(tip)).find("overlap"), std::string::npos);
+}
+
+// Small coordinates make every kind of touch and overlap come up.
+RC_GTEST_PROP(PolyhedronRefusalLaw, BoxesAreBodiesIfTheyAreDisjointAndCavitiesIfStrictlyWithin, ()) {
+  Vector3 low[2], high[2];
+  bool disjoint = false, within = true;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int i = 0; i < 2; ++i) {
+      low[i][axis] = *rc::gen::inRange(0, 5);
+      high[i][axis] = low[i][axis] + *rc::gen::inRange(1, 5);
+    }
+    disjoint = disjoint || high[0][axis] <= low[1][axis] || high[1][axis] <= low[0][axis];
+    within = within && low[0][axis] < low[1][axis] && high[1][axis] < high[0][axis];
+  }
+  const PolygonSoup first = Triangulated(Box(low[0], high[0])), second = Box(low[1], high[1]);
+  RC_ASSERT(Refusal(first + second).empty() == disjoint);
+  RC_ASSERT(Refusal(second + first).empty() == disjoint);
+  RC_ASSERT(Refusal(first + Reversed(second)).empty() == within);
+  RC_ASSERT(Refusal(Reversed(second) + first).empty() == within);
 }
 
 }  // namespace

@@ -190,6 +190,51 @@ TEST(Polyhedron, StraightThroughCornersDisappear) {
   EXPECT_EQ(solid.edges.size(), 12u);
 }
 
+// A pit whose rim touches the top's edge at (2, 0, 2): one corner, at which the top appears twice.
+TEST(Polyhedron, AFaceThatTouchesItselfAtACornerHasOneLoopThroughItTwice) {
+  PolygonSoup soup = Box({0, 0, 0}, {4, 4, 2});
+  soup.points.insert(soup.points.end(), {{2, 0, 2}, {3, 2, 2}, {1, 2, 2}, {2, Rational(3, 2), 1}});
+  soup.polygons[2] = {0, 1, 5, 8, 4};
+  soup.polygons[1] = {4, 8, 10, 6};
+  const std::vector<std::vector<size_t>> added = {
+      {8, 5, 7, 9}, {6, 10, 9, 7}, {10, 8, 11}, {9, 10, 11}, {8, 9, 11}};
+  soup.polygons.insert(soup.polygons.end(), added.begin(), added.end());
+  const Polyhedron solid = BuildPolyhedron(soup);
+  ExpectConsistent(solid);
+  EXPECT_EQ(solid.vertices.size(), 12u);
+  EXPECT_EQ(solid.edges.size(), 19u);
+  EXPECT_EQ(solid.faces.size(), 9u);
+  EXPECT_EQ(Count(solid, Convexity::kConcave), 3u);  // down the pit
+  EXPECT_EQ(solid.faces[1].loops.size(), 1u);
+  EXPECT_EQ(solid.faces[1].loops[0].size(), 8u);
+  const auto rim = std::find_if(solid.vertices.begin(), solid.vertices.end(), [](const Vertex& v) {
+    return v.point == Vector3{2, 0, 2};
+  });
+  EXPECT_EQ(std::count(rim->faces.begin(), rim->faces.end(), size_t{1}), 2);
+  EXPECT_EQ(rim->faces.size(), 5u);
+  EXPECT_EQ(SixfoldVolume(solid), Rational(6 * 32 - 4));  // the pit: base 2, depth 1
+}
+
+TEST(Polyhedron, TwoPitsThatTouchAtACornerAreOneHoleOfTheTop) {
+  PolygonSoup soup = Box({0, 0, 0}, {4, 4, 2});
+  soup.points.insert(soup.points.end(),
+                     {{2, 2, 2}, {1, 1, 2}, {3, 1, 2}, {1, 3, 2}, {3, 3, 2}, {2, 1, 1}, {2, 3, 1}});
+  soup.polygons.erase(soup.polygons.begin() + 1);
+  const std::vector<std::vector<size_t>> added = {
+      {4, 5, 10, 9}, {5, 7, 12, 8, 10}, {7, 6, 11, 12}, {6, 4, 9, 8, 11}, {9, 10, 13},
+      {10, 8, 13},   {8, 9, 13},        {12, 11, 14},   {8, 12, 14},      {11, 8, 14}};
+  soup.polygons.insert(soup.polygons.end(), added.begin(), added.end());
+  const Polyhedron solid = BuildPolyhedron(soup);
+  ExpectConsistent(solid);
+  EXPECT_EQ(solid.vertices.size(), 15u);
+  const auto top = std::find_if(solid.faces.begin(), solid.faces.end(), [](const Face& f) {
+    return f.normal == Vector3{0, 0, 1};
+  });
+  ASSERT_EQ(top->loops.size(), 2u);
+  EXPECT_EQ(top->loops[1].size(), 6u);
+  EXPECT_EQ(SixfoldVolume(solid), Rational(6 * 32 - 2 * 2));
+}
+
 TEST(Polyhedron, TransformCarriesEveryPlaneAndKeepsTheVolume) {
   const Polyhedron plate = BuildPolyhedron(PlateWithHole());
   const Pose X{Rotation::FromQuaternion(1, 2, 3, 4), {Rational(1, 7), -2, 5}};
