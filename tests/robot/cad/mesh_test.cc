@@ -258,7 +258,7 @@ INSTANTIATE_TEST_SUITE_P(
                     RealModel{"pegs/objects_2mm_Hexagon_cube_cap.obj", LengthUnit::kMetre, 20, 30, 14, 2, 0,
                               80 * 80 * 80 + 96 * Rational(27713, 1000) * 20},
                     RealModel{"pegs/objects_2mm_Hexagon_cube_bottle.obj", LengthUnit::kMetre, 20, 30, 13, 1,
-                              12, 0}));
+                              12, 80 * 80 * 80 - 99 * Rational(28713, 1000) * 25}));
 
 }  // namespace
 }  // namespace tact::cad
