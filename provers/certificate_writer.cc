@@ -19,7 +19,8 @@ using Json = nlohmann::ordered_json;
 // Integers beyond 2^53 travel as strings.
 Json ToJson(const Integer& value) {
   constexpr int64_t kLargestNumber = int64_t{1} << 53;
-  if (value.is_small() && value.small() <= kLargestNumber && value.small() >= -kLargestNumber) return value.small();
+  if (value.is_small() && value.small() <= kLargestNumber && value.small() >= -kLargestNumber)
+    return value.small();
   return value.ToString();
 }
 
@@ -107,7 +108,9 @@ void AddAsserts(Json& certificate, const std::vector<Assertion>& asserts) {
   certificate["asserts"] = list;
 }
 
-Certificate Finish(const std::string& name, const Json& certificate) { return {name, certificate.dump() + "\n"}; }
+Certificate Finish(const std::string& name, const Json& certificate) {
+  return {name, certificate.dump() + "\n"};
+}
 
 Json TransitionToJson(size_t from, const MotionDof& before, const MotionDof& after) {
   const algebra::Transition transition = AnalyzeTransition(before, after);
@@ -139,7 +142,8 @@ int IndexValue(const MotionDof& dof, const std::string& index) {
   const size_t dot = index.find('.');
   if (dot != std::string::npos) {
     const std::string motion = index.substr(0, dot), kind = index.substr(dot + 1);
-    if (all.contains(motion) && all[motion].is_object() && all[motion].contains(kind)) return all[motion][kind];
+    if (all.contains(motion) && all[motion].is_object() && all[motion].contains(kind))
+      return all[motion][kind];
   }
   throw PreconditionError("no index " + index);
 }
@@ -155,8 +159,8 @@ bool Holds(const Assertion& assertion, const MotionDof& dof) {
   throw PreconditionError("an assertion cannot be " + assertion.is);
 }
 
-Certificate MotionDofCertificate(const std::string& name, const std::string& claim, const ContactRelation& relation,
-                                 const std::vector<Assertion>& asserts) {
+Certificate MotionDofCertificate(const std::string& name, const std::string& claim,
+                                 const ContactRelation& relation, const std::vector<Assertion>& asserts) {
   Json certificate = Head(claim, "motion-dofs");
   certificate["relation"] = RelationToJson(relation);
   AddAsserts(certificate, asserts);
@@ -170,7 +174,8 @@ Certificate CensusCertificate(const std::string& name, const std::string& claim,
   certificate["world"] = world;
   certificate["count"] = count;
   Json list = Json::array();
-  for (const CensusClass& c : classes) list.push_back(Json{{"count", c.count}, {"relation", RelationToJson(c.witness)}});
+  for (const CensusClass& c : classes)
+    list.push_back(Json{{"count", c.count}, {"relation", RelationToJson(c.witness)}});
   certificate["classes"] = list;
   AddAsserts(certificate, asserts);
   return Finish(name, certificate);
@@ -211,7 +216,8 @@ Certificate BasisCertificate(const std::string& name, const std::string& claim,
   return Finish(name, certificate);
 }
 
-Certificate IllReducedEdgeCertificate(const std::string& name, const std::string& claim, const IllReducedEdge& edge) {
+Certificate IllReducedEdgeCertificate(const std::string& name, const std::string& claim,
+                                      const IllReducedEdge& edge) {
   Json certificate = Head(claim, "ill-reduced-singular");
   certificate["ends"] = Json::array({PointToJson(edge.first), PointToJson(edge.second)});
   certificate["planes"] = PlanesToJson(edge.planes);
