@@ -135,7 +135,7 @@ class JsonBuilder {
       escaped = backslashes % 2 == 1;
     }
     uint32_t extra = JsonDocument::kNone;
-    if (text_.find('\\', start) < close) {
+    if (std::string_view(text_).substr(start, close - start).find('\\') != std::string_view::npos) {
       extra = static_cast<uint32_t>(document_.unescaped_.size());
       document_.unescaped_.push_back(value);
     }
