@@ -29,7 +29,7 @@ TEST(JsonValue, EveryKindOfTokenKnowsItsPlace) {
   const auto document = Parse("[1,\n \"a\\\"b\", [ ],\r\n{\"k\" :true}, 2.5e1 ,null]");
   std::vector<std::string> places;
   for (const JsonValue value : document.root().Elements("values")) places.push_back(value.Where());
-  EXPECT_EQ(places, (std::vector<std::string>{"t:1:2", "t:2:2", "t:2:10", "t:3:1", "t:3:15", "t:3:22"}));
+  EXPECT_EQ(places, (std::vector<std::string>{"t:1:2", "t:2:2", "t:2:10", "t:3:1", "t:3:14", "t:3:21"}));
   std::vector<JsonValue> values;
   for (const JsonValue value : document.root().Elements("values")) values.push_back(value);
   EXPECT_EQ(values[3].At("k").Where(), "t:3:7");
