@@ -26,6 +26,7 @@ constexpr const char* kRelationHelp =
 
 const Command kCommands[] = {
     {"dof", "Motion DOFs of contact relations", "Example: tact dof edge_on_face.json --json", RunDof},
+    {"modes", "Contact modes of contact relations", "Example: tact modes edge_on_face.json --json", RunModes},
 };
 
 std::string CommandNames() {
@@ -35,7 +36,8 @@ std::string CommandNames() {
 }
 
 bool IsCommand(std::string_view word) {
-  return std::any_of(std::begin(kCommands), std::end(kCommands), [&](const Command& c) { return c.name == word; });
+  return std::any_of(std::begin(kCommands), std::end(kCommands),
+                     [&](const Command& c) { return c.name == word; });
 }
 
 int ReportUsage(const std::string& message) {
@@ -82,6 +84,9 @@ int main(int argc, char** argv) {
   } catch (const InputError& error) {
     std::cerr << "tact: " << error.what() << "\n";
     return cli::kBadInput;
+  } catch (const BudgetError& error) {
+    std::cerr << "tact: undecided: " << error.what() << "\n";
+    return cli::kUndecided;
   } catch (const std::bad_alloc&) {
     std::cerr << "tact: expected to hold the input in memory, got no more of it\n";
     return cli::kBadInput;
