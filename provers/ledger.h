@@ -2,10 +2,15 @@
 /// Claims on trial and what came out: the ledger that `tact verify` writes.
 /// Model   A claim is stated before it is tried; trying it yields a verdict with numbers, prose, drawings and
 ///         certificates that `tact-check` re-checks on its own (docs/certificates.md).
+/// Errors  InputError: an --only glob that matches no claim. PreconditionError: two claims with one id, a
+///         claim without id or run. A claim that throws, or whose outcome breaks its rules, is undecided and
+///         says why.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -30,13 +35,17 @@ struct Table {
   std::vector<std::vector<std::string>> rows;
 };
 
-/// What trying a claim gave.
+/// What trying a claim gave. Rules: a proved or refuted claim has certificates or says why not; names of
+/// numbers and of certificates are not repeated (the latter not even between claims) and a certificate's name
+/// is made of letters, digits, `.`, `-` and `_`; rows are as long as their header; a certificate is JSON; a
+/// figure is one <svg> element.
 struct Outcome {
   Verdict verdict = Verdict::kUndecided;
-  std::string bound;                                         // what it was tried to, for people
-  std::string evidence;                                      // paragraphs separated by blank lines, for people
-  std::vector<std::pair<std::string, long long>> numbers;    // counts, named
+  std::string bound;                                       // what it was tried to, for people
+  std::string evidence;                                    // paragraphs separated by blank lines, for people
+  std::vector<std::pair<std::string, long long>> numbers;  // counts, named
   std::vector<Certificate> certificates;
+  std::string no_certificate;  // why a proved or refuted claim has none
   std::vector<Table> tables;
   std::vector<Figure> figures;
 };
@@ -57,5 +66,17 @@ struct LedgerEntry {
   Outcome outcome;
   double seconds = 0;
 };
+
+/// Told of each claim as it is done; called from one thread at a time, must not throw.
+using Progress = std::function<void(const LedgerEntry& done, size_t done_count, size_t total)>;
+
+/// Tries the claims whose id matches one of the globs (all of them if there is none) on that many threads,
+/// and returns them in the order of `claims`.
+std::vector<LedgerEntry> TryClaims(const std::vector<Claim>& claims, Effort effort,
+                                   const std::vector<std::string>& only_globs = {},
+                                   const Progress& progress = {}, int threads = 1);
+
+/// Whether the whole text matches the pattern: `*` is any run of characters, `?` any one character.
+bool GlobMatches(std::string_view pattern, std::string_view text);
 
 }  // namespace tact::provers

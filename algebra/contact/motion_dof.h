@@ -1,6 +1,7 @@
 /// @file
 /// Motion degrees of freedom of a contact relation [thesis, 2.2, 2.6].
-/// Model   With rows a_i = [ p_i x n_i | n_i ], K = { V = [w ; v] | A V >= 0 }, I_a its implicit equalities, T = { v | N v >= 0 }
+/// Model   With rows a_i = [ p_i x n_i | n_i ], K = { V = [w ; v] | A V >= 0 }, I_a its implicit equalities,
+/// T = { v | N v >= 0 }
 ///         the legal translations, I_t their implicit equalities, and rank(I) the rank of the rows in I:
 ///           m_a = 6 - rank A,  c_a = rank A(I_a),  d_a = 6 - m_a - c_a                    [eq. (2.4)]
 ///           m_t = 3 - rank N,  c_t = rank N(I_t),  d_t = 3 - m_t - c_t                    [eq. (2.3)]
@@ -10,6 +11,8 @@
 ///         smallest face of K that holds every legal translation, and that face is { A(I_t) V = 0 }.
 /// Exact   integer arithmetic throughout, 64-bit with overflow detection, GMP on overflow.
 #pragma once
+
+#include <memory>
 
 #include "algebra/contact/contact_relation.h"
 
@@ -21,7 +24,8 @@ struct TranslationDof {
 };
 
 struct RotationDof {
-  int maintaining = 0, detaching = 0, detaching_type1 = 0, detaching_type2 = 0, constraining = 0, restricted = 0;
+  int maintaining = 0, detaching = 0, detaching_type1 = 0, detaching_type2 = 0, constraining = 0,
+      restricted = 0;
   friend auto operator<=>(const RotationDof&, const RotationDof&) = default;
 };
 
@@ -37,5 +41,23 @@ struct MotionDof {
 
 /// PreconditionError: a zero normal, or a contact without planes.
 MotionDof ComputeMotionDof(const ContactRelation& relation);
+
+/// The same with memory that is kept from call to call: once warm, a relation whose numbers stay in 64 bits
+/// costs no allocation. One instance per thread.
+class MotionDofEngine {
+ public:
+  MotionDofEngine();
+  ~MotionDofEngine();
+  MotionDofEngine(const MotionDofEngine&) = delete;
+  MotionDofEngine& operator=(const MotionDofEngine&) = delete;
+
+  MotionDof Compute(const ContactRelation& relation);
+  /// How many calls so far had to leave 64 bits for GMP.
+  size_t overflows() const;
+
+ private:
+  struct Memory;
+  std::unique_ptr<Memory> memory_;
+};
 
 }  // namespace tact::algebra

@@ -19,14 +19,18 @@ namespace tact::algebra {
 class Integer {
  public:
   Integer() noexcept = default;
-  Integer(int value) noexcept : value_(value) {}                 // NOLINT: integers convert
-  Integer(long value) noexcept : value_(value) {}                // NOLINT
-  Integer(long long value) noexcept : value_(value) {}           // NOLINT
-  Integer(const Integer& other) : value_(other.value_) { if (other.big_ != nullptr) CopyBig(other); }
+  Integer(int value) noexcept : value_(value) {}        // NOLINT: integers convert
+  Integer(long value) noexcept : value_(value) {}       // NOLINT
+  Integer(long long value) noexcept : value_(value) {}  // NOLINT
+  Integer(const Integer& other) : value_(other.value_) {
+    if (other.big_ != nullptr) CopyBig(other);
+  }
   Integer(Integer&& other) noexcept : value_(other.value_), big_(other.big_) { other.big_ = nullptr; }
   Integer& operator=(const Integer& other);
   Integer& operator=(Integer&& other) noexcept;
-  ~Integer() { if (big_ != nullptr) FreeBig(); }
+  ~Integer() {
+    if (big_ != nullptr) FreeBig();
+  }
 
   /// Takes a copy of a GMP integer; small again if it fits.
   static Integer FromMpz(mpz_srcptr value);

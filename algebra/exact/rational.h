@@ -16,8 +16,8 @@ namespace tact::algebra {
 class Rational {
  public:
   Rational() noexcept : denominator_(1) {}
-  Rational(int value) noexcept : numerator_(value), denominator_(1) {}            // NOLINT: integers convert
-  Rational(long value) noexcept : numerator_(value), denominator_(1) {}           // NOLINT
+  Rational(int value) noexcept : numerator_(value), denominator_(1) {}   // NOLINT: integers convert
+  Rational(long value) noexcept : numerator_(value), denominator_(1) {}  // NOLINT
   Rational(Integer value) noexcept : numerator_(std::move(value)), denominator_(1) {}  // NOLINT
   /// numerator / denominator, brought to lowest terms; the denominator must not be zero.
   Rational(Integer numerator, Integer denominator);

@@ -1,7 +1,8 @@
 /// @file
 /// Exact polyhedra: closed, oriented, with planar faces that may have holes, concave features known as such.
 /// Model   A polyhedron is the union of its shells' solids. Shells may touch one another (a peg set on a
-///         cube as a body of its own) but may not interpenetrate. A cavity is a shell of negative volume inside another.
+///         cube as a body of its own) but may not interpenetrate. A cavity is a shell of negative volume
+///         inside another.
 /// Units   the coordinates' length unit, named by whoever read them.
 /// Exact   rational coordinates; no tolerance anywhere.
 #pragma once
@@ -67,9 +68,9 @@ struct SoupDefect {
 /// The polyhedron a soup bounds: equal points are one, coplanar neighbours are merged into faces (with
 /// holes where they enclose one), straight-through vertices disappear. Vertices keep the order of their first
 /// appearance in soup.points, faces that of their first polygon. Throws SoupError.
-/// Refused: fewer than 3 corners, repeated corners, zero area, non-planar polygons, edges with one polygon (open), with more
-/// than two (non-manifold) or run twice in one direction (a flipped polygon), inverted shells,
-/// self-intersections.
+/// Refused: fewer than 3 corners, repeated corners, zero area, non-planar polygons, edges with one polygon
+/// (open), with more than two (non-manifold) or run twice in one direction (a flipped polygon), inverted
+/// shells, self-intersections.
 class SoupError : public std::exception {
  public:
   explicit SoupError(SoupDefect defect) : defect_(std::move(defect)) {}

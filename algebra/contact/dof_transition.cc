@@ -1,0 +1,160 @@
+#include "algebra/contact/dof_transition.h"
+
+#include <algorithm>
+
+namespace tact::algebra {
+namespace {
+
+constexpr std::array<Motion, 2> kMotions = {Motion::kTranslation, Motion::kRotation};
+
+bool IsSingular(DofIndex index) { return index >= DofIndex::kSingularMaintaining; }
+
+bool IsConstraining(DofIndex index) {
+  return index == DofIndex::kConstraining || index == DofIndex::kSingularConstraining;
+}
+
+class Analysis {
+ public:
+  Analysis(const MotionDof& before, const MotionDof& after) : before_(before), after_(after) {}
+
+  Transition Run() {
+    for (const Motion motion : kMotions) ListDofTransitions(motion);
+    for (const Motion motion : kMotions) SelectSubSkills(motion);
+    for (const DofTransition& t : result_.dof_transitions) Judge(t);
+    if (result_.sub_skills.empty()) Say("No rule selects a sub-skill: the motion is part of the next one.");
+    if (result_.ambiguous) {
+      Say("Several indices decrease and several increase: every pair of them is listed, since nothing says "
+          "which "
+          "belongs to which.");
+    }
+    return result_;
+  }
+
+ private:
+  void Say(const std::string& sentence) {
+    if (!result_.why.empty()) result_.why += " ";
+    result_.why += sentence;
+  }
+
+  void ListDofTransitions(Motion motion) {
+    const auto before = Indices(before_, motion);
+    const auto after = Indices(after_, motion);
+    int falls = 0, rises = 0;
+    for (int a = 0; a < kDofIndices; ++a) {
+      falls += after[a] < before[a] ? 1 : 0;
+      rises += after[a] > before[a] ? 1 : 0;
+      for (int b = 0; b < kDofIndices; ++b) {
+        if (after[a] >= before[a] || after[b] <= before[b]) continue;
+        result_.dof_transitions.push_back({motion, static_cast<DofIndex>(a), static_cast<DofIndex>(b)});
+      }
+    }
+    result_.ambiguous = result_.ambiguous || (falls > 1 && rises > 1);
+  }
+
+  bool Appears(Motion motion, DofIndex from, DofIndex to) const {
+    return std::find(result_.dof_transitions.begin(), result_.dof_transitions.end(),
+                     DofTransition{motion, from, to}) != result_.dof_transitions.end();
+  }
+
+  void Select(SubSkill skill, const std::string& reason) {
+    result_.sub_skills.push_back(skill);
+    Say(ToString(skill) + ": " + reason + ".");
+  }
+
+  void SelectSubSkills(Motion motion) {
+    const bool rotation = motion == Motion::kRotation;
+    const std::string in = " in " + ToString(motion);
+    if (Appears(motion, DofIndex::kMaintaining, DofIndex::kDetaching)) {
+      const std::string reason = "a maintaining DOF" + in + " becomes a detaching one";
+      if (!rotation) Select(SubSkill::kMakeContactInTranslation, reason);
+      if (rotation && after_.rotation.detaching_type1 > before_.rotation.detaching_type1) {
+        Select(SubSkill::kType1MakeContactInRotation, reason + " of Type I");
+      }
+      if (rotation && after_.rotation.detaching_type2 > before_.rotation.detaching_type2) {
+        Select(SubSkill::kType2MakeContactInRotation, reason + " of Type II");
+      }
+    }
+    if (Appears(motion, DofIndex::kDetaching, DofIndex::kMaintaining) ||
+        Appears(motion, DofIndex::kSingularDetaching, DofIndex::kMaintaining)) {
+      Select(rotation ? SubSkill::kDetachContactInRotation : SubSkill::kDetachContactInTranslation,
+             "a detaching DOF" + in + " becomes a maintaining one");
+    }
+    if (!Appears(motion, DofIndex::kMaintaining, DofIndex::kSingularMaintaining)) return;
+    const int before = Restricted(before_, motion), after = Restricted(after_, motion);
+    const std::string change = std::to_string(before) + " to " + std::to_string(after);
+    if (after > before) {
+      Select(rotation ? SubSkill::kSlideInRotation : SubSkill::kSlideInTranslation,
+             "a maintaining DOF" + in +
+                 " becomes a singular maintaining one and the restricted DOF rises from " + change);
+    } else {
+      Say("No slide" + in +
+          ": a maintaining DOF becomes a singular maintaining one, but the restricted DOF goes from " +
+          change + " (2.6).");
+    }
+  }
+
+  void Judge(const DofTransition& t) {
+    const std::string name = ToString(t.from) + " -> " + ToString(t.to) + " in " + ToString(t.motion);
+    if (!IsPractical(t)) {
+      result_.practical = false;
+      Say("Not practical: " + name + " is not among the 20 kinds of Fig. 2.5.");
+    }
+    if (t.to == DofIndex::kConstraining &&
+        (t.from == DofIndex::kSingularMaintaining || t.from == DofIndex::kSingularDetaching)) {
+      result_.critical = true;
+      Say("Critical: " + name + " leads through a narrow entrance (2.5).");
+    }
+  }
+
+  const MotionDof& before_;
+  const MotionDof& after_;
+  Transition result_;
+};
+
+}  // namespace
+
+std::string ToString(Motion motion) { return motion == Motion::kTranslation ? "translation" : "rotation"; }
+
+std::string ToString(DofIndex index) {
+  static const char* const kNames[] = {"maintaining",          "detaching",          "constraining",
+                                       "singular_maintaining", "singular_detaching", "singular_constraining"};
+  return kNames[static_cast<int>(index)];
+}
+
+std::string ToString(SubSkill skill) {
+  static const char* const kNames[] = {"make-contact-in-translation",
+                                       "detach-contact-in-translation",
+                                       "slide-in-translation",
+                                       "type1-make-contact-in-rotation",
+                                       "type2-make-contact-in-rotation",
+                                       "detach-contact-in-rotation",
+                                       "slide-in-rotation"};
+  return kNames[static_cast<int>(skill)];
+}
+
+bool IsPractical(const DofTransition& t) {
+  if (IsSingular(t.from) && IsSingular(t.to)) return false;
+  const bool maintaining_constraining = (t.from == DofIndex::kMaintaining && IsConstraining(t.to)) ||
+                                        (t.to == DofIndex::kMaintaining && IsConstraining(t.from));
+  return !maintaining_constraining;
+}
+
+std::array<int, kDofIndices> Indices(const MotionDof& dof, Motion motion) {
+  const bool translation = motion == Motion::kTranslation;
+  const std::array<int, 3> kinds = {translation ? dof.translation.maintaining : dof.rotation.maintaining,
+                                    translation ? dof.translation.detaching : dof.rotation.detaching,
+                                    translation ? dof.translation.constraining : dof.rotation.constraining};
+  std::array<int, kDofIndices> indices{};
+  for (size_t i = 0; i < 3; ++i) indices[dof.singular ? i + 3 : i] = kinds[i];
+  return indices;
+}
+
+int Restricted(const MotionDof& dof, Motion motion) {
+  return motion == Motion::kTranslation ? dof.translation.restricted : dof.rotation.restricted;
+}
+
+Transition AnalyzeTransition(const MotionDof& before, const MotionDof& after) {
+  return Analysis(before, after).Run();
+}
+
+}  // namespace tact::algebra

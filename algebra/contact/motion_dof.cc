@@ -1,0 +1,117 @@
+#include "algebra/contact/motion_dof.h"
+
+#include "algebra/cone/dual_simplex.h"
+#include "algebra/contact/contact_rows.h"
+
+namespace tact::algebra {
+namespace {
+
+// The ranks that every motion DOF follows from (motion_dof.h).
+struct Ranks {
+  int all = 0, force = 0;                    // A, N
+  int all_fixed = 0, force_all_fixed = 0;    // A(I_a), N(I_a)
+  int force_fixed = 0, all_force_fixed = 0;  // N(I_t), A(I_t)
+};
+
+// One run of the method over numbers of type T, with its memory.
+template <typename T>
+class Method {
+ public:
+  using Simplex = DualSimplex<T>;
+
+  // False on overflow. rows: six numbers each; single: which rows count for the cone.
+  bool Run(const std::vector<T>& rows, const std::vector<char>& single, bool singular, Ranks& cone,
+           Ranks& restricted) {
+    if (!singular) {
+      if (!ConeRanks(rows.data(), rows.size() / 6, cone)) return false;
+      restricted = cone;
+      return true;
+    }
+    selected_.clear();
+    for (size_t i = 0; i < single.size(); ++i) {
+      if (single[i] == 0) continue;
+      for (size_t j = 6 * i; j < 6 * i + 6; ++j) selected_.push_back(rows[j]);
+    }
+    return ConeRanks(selected_.data(), selected_.size() / 6, cone) &&
+           RankOf(rows.data(), rows.size() / 6, 6, nullptr, restricted.all) &&
+           RankOf(rows.data() + 3, rows.size() / 6, 3, nullptr, restricted.force);
+  }
+
+ private:
+  bool RankOf(const T* rows, size_t count, int columns, const std::vector<char>* flags, int& rank) {
+    const bool done = rank_.Rank(rows, count, columns, 6, flags) == Simplex::Status::kDone;
+    rank = rank_.rank();
+    return done;
+  }
+
+  bool ConeRanks(const T* rows, size_t count, Ranks& ranks) {
+    const T* forces = rows + 3;
+    if (translation_.Solve(forces, count, 3, 6) != Simplex::Status::kDone) return false;
+    if (all_.Solve(rows, count, 6, 6) != Simplex::Status::kDone) return false;
+    ranks.force = translation_.rank();
+    ranks.all = all_.rank();
+    ranks.force_fixed = translation_.vanishing_rank();
+    ranks.all_fixed = all_.vanishing_rank();
+    ranks.force_all_fixed = 0;
+    ranks.all_force_fixed = 0;
+    // Nothing fixed: nothing to take the rank of. Everything fixed in translation: all rows.
+    if (ranks.all_fixed > 0 && !RankOf(forces, count, 3, &all_.vanishing(), ranks.force_all_fixed))
+      return false;
+    return ranks.force_fixed == 0 || RankOf(rows, count, 6, &translation_.vanishing(), ranks.all_force_fixed);
+  }
+
+  Simplex all_, translation_, rank_;
+  std::vector<T> selected_;
+};
+
+MotionDof FromRanks(const Ranks& cone, const Ranks& restricted, bool singular) {
+  MotionDof dof;
+  dof.singular = singular;
+  dof.translation.maintaining = 3 - cone.force;
+  dof.translation.constraining = cone.force_fixed;
+  dof.translation.detaching = cone.force - cone.force_fixed;
+  dof.translation.restricted = restricted.force;
+  dof.all.maintaining = 6 - cone.all;
+  dof.all.constraining = cone.all_fixed;
+  dof.all.detaching = cone.all - cone.all_fixed;
+  dof.all.restricted = restricted.all;
+  dof.rotation.maintaining = dof.all.maintaining - dof.translation.maintaining;
+  dof.rotation.constraining = cone.all_fixed - cone.force_all_fixed;
+  dof.rotation.detaching = 3 - dof.rotation.maintaining - dof.rotation.constraining;
+  dof.rotation.detaching_type1 = 3 - (cone.all_force_fixed - cone.force_fixed) - dof.rotation.maintaining;
+  dof.rotation.detaching_type2 = dof.rotation.detaching - dof.rotation.detaching_type1;
+  dof.rotation.restricted = restricted.all - restricted.force;
+  return dof;
+}
+
+}  // namespace
+
+struct MotionDofEngine::Memory {
+  ContactRows rows;
+  Method<int64_t> small;
+  Method<Integer> large;
+  size_t overflows = 0;
+};
+
+MotionDofEngine::MotionDofEngine() : memory_(std::make_unique<Memory>()) {}
+MotionDofEngine::~MotionDofEngine() = default;
+size_t MotionDofEngine::overflows() const { return memory_->overflows; }
+
+MotionDof MotionDofEngine::Compute(const ContactRelation& relation) {
+  Memory& m = *memory_;
+  m.rows.Assign(relation);
+  Ranks cone, restricted;
+  if (!m.rows.is_small() ||
+      !m.small.Run(m.rows.small(), m.rows.single(), m.rows.singular(), cone, restricted)) {
+    ++m.overflows;
+    m.large.Run(m.rows.ToIntegers(), m.rows.single(), m.rows.singular(), cone, restricted);
+  }
+  return FromRanks(cone, restricted, m.rows.singular());
+}
+
+MotionDof ComputeMotionDof(const ContactRelation& relation) {
+  thread_local MotionDofEngine engine;
+  return engine.Compute(relation);
+}
+
+}  // namespace tact::algebra

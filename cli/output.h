@@ -1,0 +1,29 @@
+/// @file
+/// Standard output, buffered.
+/// Errors  InputError: it cannot be written (a full disk, a closed pipe).
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace tact::cli {
+
+class Output {
+ public:
+  Output() = default;
+  /// Writes what is left, silently: the answers before a bad line are answers.
+  ~Output();
+  Output(const Output&) = delete;
+  Output& operator=(const Output&) = delete;
+
+  Output& operator<<(std::string_view text);
+  /// Writes what is left.
+  void Flush();
+
+ private:
+  bool Write();
+
+  std::string buffer_;
+};
+
+}  // namespace tact::cli

@@ -1,0 +1,53 @@
+/// @file
+/// The CAD form of a contact relation: two solids' files, a pose, and perhaps which elements touch.
+/// Model   {"moving":"peg.off","fixed":"hole.off","unit":"mm","pose":{...},"tolerance":0,
+///          "contacts":[{"moving":{"vertex":3},"fixed":{"face":5}},...]}. Without "contacts" they are to be
+///          found.
+/// Frames  the pose is that of the moving solid's frame in the fixed one's.
+/// Units   coordinates, translation and tolerance all have the unit that is named; it must be, a mesh has
+/// none. Errors  InputError.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robot/input/length_unit.h"
+#include "robot/input/pose.h"
+
+namespace tact::input {
+
+enum class ElementKind { kVertex, kEdge, kFace };
+
+/// An element of a solid; index counts from 0 in the order of algebra::Polyhedron.
+struct Element {
+  ElementKind kind = ElementKind::kVertex;
+  size_t index = 0;
+  friend bool operator==(const Element&, const Element&) = default;
+};
+
+struct ElementPair {
+  Element moving, fixed;
+  friend bool operator==(const ElementPair&, const ElementPair&) = default;
+};
+
+/// Two solids' files, relative names taken from the folder of the file that names them.
+struct CadModels {
+  std::filesystem::path moving, fixed;
+  LengthUnit unit = LengthUnit::kMillimetre;
+  algebra::Rational tolerance;  // not negative, in that unit
+};
+
+struct CadRelation {
+  CadModels models;
+  PoseInput pose;
+  std::optional<std::vector<ElementPair>> contacts;
+  std::string where;  // "file:line:column", for whoever finds something wrong with it later
+};
+
+/// Reads "moving", "fixed", "unit" and "tolerance" of an object; source is the name of the file.
+CadModels ParseCadModels(const JsonValue& object, const std::string& source);
+CadRelation ParseCadRelation(const JsonValue& value, const std::string& source);
+
+}  // namespace tact::input
