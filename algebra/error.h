@@ -1,5 +1,6 @@
 /// @file
-/// The three kinds of error that tact throws; they are never mixed.
+/// The three kinds of error that tact throws, never mixed, and BudgetError, which is none: an answer was not
+/// reached.
 #pragma once
 
 #include <stdexcept>
@@ -23,6 +24,13 @@ class PreconditionError : public std::logic_error {
 class InvariantError : public std::logic_error {
  public:
   using std::logic_error::logic_error;
+};
+
+/// Running out of a stated budget: undecided, exit status 1. The message names the budget and what it was
+/// spent on.
+class BudgetError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
 };
 
 }  // namespace tact
