@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "algebra/cone/complementary_pair.h"
-#include "algebra/contact/contact_rows.h"
 #include "algebra/error.h"
 
 namespace tact::provers {
@@ -35,13 +34,26 @@ Json NormalToJson(const Vector3& normal) {
   return ToJson(std::vector<Integer>{n.x.numerator(), n.y.numerator(), n.z.numerator()});
 }
 
-Json PointToJson(const Vector3& p) {
+// The positive least common denominator of a point's entries.
+Integer Denominator(const Vector3& p) {
   Integer w(1);
   for (int i = 0; i < 3; ++i) w *= DivideExactly(p[i].denominator(), Gcd(w, p[i].denominator()));
-  std::vector<Integer> homogeneous;
-  for (int i = 0; i < 3; ++i) homogeneous.push_back(p[i].numerator() * DivideExactly(w, p[i].denominator()));
-  homogeneous.push_back(w);
-  return ToJson(homogeneous);
+  return w;
+}
+
+Json PointToJson(const Vector3& p) {
+  const Integer w = Denominator(p);
+  const Vector3 scaled = Rational(w) * p;
+  return ToJson(std::vector<Integer>{scaled.x.numerator(), scaled.y.numerator(), scaled.z.numerator(), w});
+}
+
+// [ (X,Y,Z) x n | W n ] of the point and the normal as written: y depends on the length of each row, so that the
+// primitive rows of the engines will not do.
+std::vector<Integer> WrittenRow(const Vector3& point, const Vector3& normal) {
+  const Rational w(Denominator(point));
+  const Vector3 n = Primitive(normal), torque = Cross(w * point, n), force = w * n;
+  return {torque.x.numerator(), torque.y.numerator(), torque.z.numerator(),
+          force.x.numerator(),  force.y.numerator(),  force.z.numerator()};
 }
 
 Json PlanesToJson(const std::vector<Vector3>& planes) {
@@ -83,7 +95,7 @@ Json RelationToJson(const ContactRelation& relation) {
     if (!contact.name.empty()) entry["name"] = contact.name;
     contacts.push_back(entry);
     if (contact.singular()) continue;
-    const auto row = algebra::ContactRow(contact.point, contact.planes[0]);
+    const std::vector<Integer> row = WrittenRow(contact.point, contact.planes[0]);
     rows.insert(rows.end(), row.begin(), row.end());
     forces.insert(forces.end(), row.begin() + 3, row.end());
   }
