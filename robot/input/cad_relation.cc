@@ -2,8 +2,13 @@
 
 #include <limits>
 
+#include "robot/input/length_unit.h"
+
 namespace tact::input {
 namespace {
+
+using algebra::Element;
+using algebra::ElementKind;
 
 std::filesystem::path ParsePath(const JsonValue& value, const std::string& source) {
   constexpr std::string_view kWanted = "the name of a CAD file";

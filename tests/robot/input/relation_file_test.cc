@@ -67,12 +67,12 @@ TEST(RelationFile, TheCadFormNamesFilesBesideItAndElements) {
   const auto cad = std::get<CadRelation>(*relations.Next());
   EXPECT_EQ(cad.models.moving, "cases/peg.off");
   EXPECT_EQ(cad.models.fixed, "/cad/hole.off");
-  EXPECT_EQ(MillimetresPer(cad.models.unit), Rational(127, 5));
+  EXPECT_EQ(InMillimetres(cad.models.unit), Rational(127, 5));
   EXPECT_EQ(cad.models.tolerance, Rational(1, 8));
   EXPECT_EQ(cad.pose.pose.translation, (Vector3{1, 2, 3}));
   EXPECT_EQ(cad.pose.pose.rotation, algebra::Rotation{});
-  EXPECT_EQ(cad.contacts, (std::vector<ElementPair>{{{ElementKind::kVertex, 3}, {ElementKind::kFace, 5}},
-                                                    {{ElementKind::kEdge, 0}, {ElementKind::kEdge, 7}}}));
+  EXPECT_EQ(cad.contacts, (std::vector<ElementPair>{{{algebra::ElementKind::kVertex, 3}, {algebra::ElementKind::kFace, 5}},
+                                                    {{algebra::ElementKind::kEdge, 0}, {algebra::ElementKind::kEdge, 7}}}));
 }
 
 TEST(RelationFile, WithoutContactsTheCadFormLeavesThemToBeFound) {
