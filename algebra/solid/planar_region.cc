@@ -70,6 +70,14 @@ int Orientation(Axes axes, const Vector3& a, const Vector3& b, const Vector3& c)
   return Area(axes, a, b, c).sign();
 }
 
+Vector3 DoubleArea(const std::vector<const Vector3*>& loop) {
+  Vector3 area;
+  for (size_t i = 2; i < loop.size(); ++i) {
+    area = area + Cross(*loop[i - 1] - *loop[0], *loop[i] - *loop[0]);
+  }
+  return area;
+}
+
 PlanarRegion RegionOf(const Polyhedron& solid, const Face& face) {
   PlanarRegion region{face.normal, face.offset, ProjectionAxes(face.normal), {}};
   for (const auto& loop : face.loops) {
@@ -77,6 +85,12 @@ PlanarRegion RegionOf(const Polyhedron& solid, const Face& face) {
     for (const size_t v : loop) corners.push_back(&solid.vertices[v].point);
   }
   return region;
+}
+
+Rational SixfoldVolumeUnder(const PlanarRegion& region) {
+  Rational volume;
+  for (const auto& loop : region.loops) volume += Dot(*region.loops[0][0], DoubleArea(loop));
+  return volume;
 }
 
 Side LocateInPlane(const PlanarRegion& region, const Vector3& point) {

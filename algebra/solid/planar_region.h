@@ -33,7 +33,13 @@ struct PlanarRegion {
   Rational Height(const Vector3& point) const { return Dot(normal, point) - offset; }
 };
 
+/// Twice the area that a loop encloses, along the normal about which it runs counter-clockwise.
+Vector3 DoubleArea(const std::vector<const Vector3*>& loop);
+
 PlanarRegion RegionOf(const Polyhedron& solid, const Face& face);
+
+/// Six times the signed volume of the cone from the origin to the region.
+Rational SixfoldVolumeUnder(const PlanarRegion& region);
 
 /// Where a point of the region's plane lies.
 Side LocateInPlane(const PlanarRegion& region, const Vector3& point);

@@ -9,21 +9,23 @@ namespace {
 // Whether the ray from the point towards +x leaves or enters through the face: the normal's x sign, or 0.
 // The point counts as moved by (0, e, e^2...) with e -> 0, so the ray meets no edge; precondition: the
 // point is not on the face.
-int Crossing(const PlanarRegion& region, const Vector3& point) {
-  const int direction = region.normal.x.sign();
+int Crossing(const Polyhedron& solid, const Face& face, const Vector3& point) {
+  const int direction = face.normal.x.sign();
   if (direction == 0) return 0;
   bool inside = false;
-  for (const auto& loop : region.loops) {
+  for (const auto& loop : face.loops) {
     for (size_t i = 0; i < loop.size(); ++i) {
-      const Vector3& a = *loop[i];
-      const Vector3& b = *loop[(i + 1) % loop.size()];
+      const Vector3& a = solid.vertices[loop[i]].point;
+      const Vector3& b = solid.vertices[loop[(i + 1) % loop.size()]].point;
       const bool a_below = a.z <= point.z;
       if (a_below == (b.z <= point.z)) continue;
       const int turn = Orientation({1, 2}, a, b, point);
       if (turn != 0 && (turn > 0) == a_below) inside = !inside;
     }
   }
-  return inside && region.Height(point).sign() * direction < 0 ? direction : 0;
+  if (!inside) return 0;
+  const int height = (Dot(face.normal, point) - face.offset).sign();
+  return height * direction < 0 ? direction : 0;
 }
 
 // A corner of a face at a point: the rays along its two edges, with the face between them, counter-clockwise
@@ -103,7 +105,7 @@ bool IsCovered(const std::vector<Sector>& sectors) {
 int Winding(const Polyhedron& solid, const Vector3& point, const std::vector<bool>& counts) {
   int winding = 0;
   for (const Face& face : solid.faces) {
-    if (counts[face.shell]) winding += Crossing(RegionOf(solid, face), point);
+    if (counts[face.shell]) winding += Crossing(solid, face, point);
   }
   return winding;
 }
@@ -111,9 +113,9 @@ int Winding(const Polyhedron& solid, const Vector3& point, const std::vector<boo
 Side Locate(const Polyhedron& solid, const Vector3& point) {
   std::vector<PlanarRegion> holding;
   for (const Face& face : solid.faces) {
+    if (Dot(face.normal, point) != face.offset) continue;
     PlanarRegion region = RegionOf(solid, face);
-    if (region.Height(point).sign() != 0 || LocateInPlane(region, point) == Side::kOutside) continue;
-    holding.push_back(std::move(region));
+    if (LocateInPlane(region, point) != Side::kOutside) holding.push_back(std::move(region));
   }
   if (holding.empty()) {
     const int winding = Winding(solid, point, std::vector<bool>(solid.shells, true));

@@ -1,3 +1,4 @@
+#include "algebra/solid/planar_region.h"
 #include "algebra/solid/polyhedron.h"
 
 namespace tact::algebra {
@@ -14,15 +15,7 @@ Polyhedron Transform(const Polyhedron& solid, const Pose& X) {
 
 Rational SixfoldVolume(const Polyhedron& solid) {
   Rational volume;
-  for (const Face& face : solid.faces) {
-    Vector3 area;  // twice the face's area along its normal
-    for (const auto& loop : face.loops) {
-      for (size_t i = 0; i < loop.size(); ++i) {
-        area = area + Cross(solid.vertices[loop[i]].point, solid.vertices[loop[(i + 1) % loop.size()]].point);
-      }
-    }
-    volume += Dot(solid.vertices[face.loops[0][0]].point, area);
-  }
+  for (const Face& face : solid.faces) volume += SixfoldVolumeUnder(RegionOf(solid, face));
   return volume;
 }
 

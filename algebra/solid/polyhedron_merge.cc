@@ -144,15 +144,10 @@ class Merger {
   }
 
   void PutOuterLoopFirst(Face* face) const {
+    const PlanarRegion region = RegionOf(merged_.solid, *face);
     std::vector<size_t> outer;
-    for (size_t i = 0; i < face->loops.size(); ++i) {
-      const std::vector<size_t>& loop = face->loops[i];
-      Vector3 area;
-      for (size_t k = 0; k < loop.size(); ++k) {
-        area = area + Cross(merged_.solid.vertices[loop[k]].point,
-                            merged_.solid.vertices[loop[(k + 1) % loop.size()]].point);
-      }
-      if (Dot(area, face->normal).sign() > 0) outer.push_back(i);
+    for (size_t i = 0; i < region.loops.size(); ++i) {
+      if (Dot(DoubleArea(region.loops[i]), face->normal).sign() > 0) outer.push_back(i);
     }
     if (outer.size() != 1) throw InvariantError("a face without exactly one outer loop");
     const auto o = static_cast<std::ptrdiff_t>(outer[0]);

@@ -33,29 +33,28 @@ class ShellCheck {
 
  private:
   void Measure() {
-    for (const Face& face : solid_.faces) regions_.push_back(RegionOf(solid_, face));
     first_face_.assign(solid_.shells, SoupDefect::kNone);
-    std::vector<Polyhedron> parts(solid_.shells);
+    face_boxes_.resize(solid_.faces.size());
+    shell_boxes_.resize(solid_.shells);
+    std::vector<Rational> volumes(solid_.shells);
     for (size_t f = 0; f < solid_.faces.size(); ++f) {
       const size_t shell = solid_.faces[f].shell;
+      regions_.push_back(RegionOf(solid_, solid_.faces[f]));
       first_face_[shell] = std::min(first_face_[shell], f);
-      parts[shell].faces.push_back(solid_.faces[f]);
+      volumes[shell] += SixfoldVolumeUnder(regions_[f]);
+      for (const Vector3* corner : regions_[f].loops[0]) face_boxes_[f].Add(*corner);
+      shell_boxes_[shell].Add(face_boxes_[f]);
     }
-    for (size_t shell = 0; shell < solid_.shells; ++shell) {
-      parts[shell].vertices = solid_.vertices;
-      is_cavity_.push_back(SixfoldVolume(parts[shell]).sign() < 0);
-    }
+    for (const Rational& volume : volumes) is_cavity_.push_back(volume.sign() < 0);
   }
 
   void FindContacts() {
-    std::vector<Box> edge_boxes, face_boxes(solid_.faces.size());
+    std::vector<Box> edge_boxes;
     for (const Edge& edge : solid_.edges) {
       edge_boxes.emplace_back().Add(Point(edge.tail));
       edge_boxes.back().Add(Point(edge.head));
-      face_boxes[edge.left].Add(edge_boxes.back());
-      face_boxes[edge.right].Add(edge_boxes.back());
     }
-    SweepOverlaps(edge_boxes, face_boxes, [&](size_t e, size_t f) {
+    SweepOverlaps(edge_boxes, face_boxes_, [&](size_t e, size_t f) {
       const Edge& edge = solid_.edges[e];
       const size_t shell = solid_.faces[edge.left].shell, other = solid_.faces[f].shell;
       if (shell == other || !Meets(regions_[f], Point(edge.tail), Point(edge.head))) return true;
@@ -195,16 +194,20 @@ class ShellCheck {
 
   // How the shells that do not touch this one wind around it; a cavity touched from within counts too.
   void CheckNesting(size_t shell) const {
-    std::vector<bool> counts(solid_.shells, true);
-    counts[shell] = false;
+    const Vector3& point = Point(solid_.faces[first_face_[shell]].loops[0][0]);
+    Box point_box;
+    point_box.Add(point);
+    std::vector<bool> counts(solid_.shells);
     int winding = 0;
     for (size_t other = 0; other < solid_.shells; ++other) {
-      if (!touching_.contains(std::minmax(shell, other))) continue;
-      counts[other] = false;
-      if (is_cavity_[other]) --winding;
+      if (other == shell || !shell_boxes_[other].Overlaps(point_box)) continue;
+      const bool touches = touching_.contains(std::minmax(shell, other));
+      if (touches && is_cavity_[other]) --winding;
+      counts[other] = !touches;
     }
-    const Vector3& point = Point(solid_.faces[first_face_[shell]].loops[0][0]);
-    winding += solid_.shells > 1 ? Winding(solid_, point, counts) : 0;
+    if (std::find(counts.begin(), counts.end(), true) != counts.end()) {
+      winding += Winding(solid_, point, counts);
+    }
     if (winding == (is_cavity_[shell] ? 1 : 0)) return;
     if (is_cavity_[shell] && winding <= 0) {
       Refuse(
@@ -236,7 +239,8 @@ class ShellCheck {
 
   const MergedFaces& merged_;
   const Polyhedron& solid_;
-  std::vector<PlanarRegion> regions_;
+  std::vector<PlanarRegion> regions_;  // of each face
+  std::vector<Box> face_boxes_, shell_boxes_;
   std::vector<size_t> first_face_;  // of each shell
   std::vector<bool> is_cavity_;     // of each shell: negative volume
   Contacts contacts_;

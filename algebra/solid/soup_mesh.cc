@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <numeric>
 
@@ -60,12 +59,6 @@ void CheckCorners(const PolygonSoup& soup, size_t polygon, const std::vector<siz
   }
 }
 
-std::string ApproximateText(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
-
 // The plane through the first three corners that are not collinear must hold the others.
 void AddPlane(size_t polygon, SoupMesh* mesh) {
   std::vector<const Vector3*> corners;
@@ -75,8 +68,10 @@ void AddPlane(size_t polygon, SoupMesh* mesh) {
   const Vector3& origin = *corners[0];
   const Vector3 along = *corners[1] - origin;
   Vector3 normal;
+  const Vector3* third = nullptr;
   for (size_t i = 2; i < corners.size() && normal.IsZero(); ++i) {
-    normal = Primitive(Cross(along, *corners[i] - origin));
+    third = corners[i];
+    normal = Primitive(Cross(along, *third - origin));
   }
   if (normal.IsZero()) {
     Refuse("its corners lie on one line, through " + PointText(origin) + " and " + PointText(*corners[1]) +
@@ -95,16 +90,11 @@ void AddPlane(size_t polygon, SoupMesh* mesh) {
   if (farthest != nullptr) {
     const double distance = ToDouble(most) / std::sqrt(ToDouble(Dot(normal, normal)));
     Refuse("it is not planar: corner " + PointText(*farthest) + " is " + ApproximateText(distance) +
-               " off the plane of the others, " + DecimalText(normal.x) + " x + " + DecimalText(normal.y) +
-               " y + " + DecimalText(normal.z) + " z = " + DecimalText(offset) +
-               "; correct the corner or split the polygon into triangles",
+               " off the plane through " + PointText(origin) + ", " + PointText(*corners[1]) + " and " +
+               PointText(*third) + "; correct the corner or split the polygon into triangles",
            polygon);
   }
-  Vector3 area;
-  for (size_t i = 0; i < corners.size(); ++i) {
-    area = area + Cross(*corners[i] - origin, *corners[(i + 1) % corners.size()] - origin);
-  }
-  const int sign = Dot(area, normal).sign();
+  const int sign = Dot(DoubleArea(corners), normal).sign();
   if (sign == 0) {
     Refuse("its boundary crosses itself and encloses zero area, near " + PointText(origin) +
                "; correct the order of its corners",

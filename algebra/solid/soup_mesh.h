@@ -51,8 +51,9 @@ void RefuseBadShells(const MergedFaces& merged);
 /// counts is false are passed over.
 int Winding(const Polyhedron& solid, const Vector3& point, const std::vector<bool>& counts);
 
-/// A decimal if the number is one, else p/q.
+/// A decimal if the number is one, else p/q, or roughly if that is long.
 std::string DecimalText(const Rational& value);
+std::string ApproximateText(double value);
 std::string PointText(const Vector3& point);
 /// Polygons are counted from 1 in texts.
 std::string PolygonText(size_t polygon);

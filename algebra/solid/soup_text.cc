@@ -1,3 +1,4 @@
+#include <cstdio>
 #include <utility>
 
 #include "algebra/solid/soup_mesh.h"
@@ -5,7 +6,7 @@
 namespace tact::algebra {
 
 std::string DecimalText(const Rational& value) {
-  constexpr size_t kMostDecimals = 20;
+  constexpr size_t kMostDecimals = 20, kLongest = 24;
   Rational shifted = value;
   for (size_t decimals = 0; decimals <= kMostDecimals; ++decimals, shifted *= 10) {
     if (!shifted.is_integer()) continue;
@@ -14,7 +15,14 @@ std::string DecimalText(const Rational& value) {
     if (decimals > 0) digits.insert(digits.size() - decimals, ".");
     return (value.sign() < 0 ? "-" : "") + digits;
   }
-  return value.ToString();
+  const std::string ratio = value.ToString();
+  return ratio.size() <= kLongest ? ratio : "about " + ApproximateText(ToDouble(value));
+}
+
+std::string ApproximateText(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
 }
 
 std::string PointText(const Vector3& point) {

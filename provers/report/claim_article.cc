@@ -43,9 +43,8 @@ std::string Prose(std::string_view text) {
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 2);
     if (paragraph.find_first_not_of(" \n") == std::string_view::npos) continue;
     bool kept = paragraph[0] == ' ';
-    for (size_t i = paragraph.find('\n'); kept && i + 1 < paragraph.size(); i = paragraph.find('\n', i + 1)) {
-      kept = paragraph[i + 1] == ' ';
-    }
+    for (size_t i = 1; kept && i < paragraph.size(); ++i)
+      kept = paragraph[i - 1] != '\n' || paragraph[i] == ' ';
     html += fmt::format("<{0}>{1}</{0}>\n", kept ? "pre" : "p", Escape(paragraph));
   }
   return html;
