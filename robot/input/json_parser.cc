@@ -89,7 +89,12 @@ class JsonBuilder {
 
   template <typename Exception>
   [[noreturn]] bool parse_error(size_t characters_read, const std::string&, const Exception& complaint) {
-    Refuse(characters_read, complaint.what());
+    // What was read last stands in the complaint too; it must not be taken for the package's words.
+    std::string words = complaint.what();
+    if (const size_t quoted = words.find("; last read: '"); quoted != std::string::npos) {
+      words.erase(quoted, words.rfind('\'') + 1 - quoted);
+    }
+    Refuse(characters_read, words);
   }
 
  private:
