@@ -17,8 +17,8 @@ struct FileOptions {
 };
 
 struct ContactsOptions {
-  std::string moving, fixed;  // mesh files
-  std::string pose;           // of the moving model in the fixed one's frame, in JSON or a file of it
+  std::string moving, fixed;    // mesh files
+  std::string pose;             // of the moving model in the fixed one's frame, in JSON or a file of it
   std::string tolerance = "0";  // millimetres
   std::string unit;             // of both models and of the pose
   bool json = false;

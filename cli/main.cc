@@ -17,14 +17,19 @@ constexpr const char* kRelationHelp =
     "A contact is a point and its planes, each a normal to the legal side:\n"
     "  {\"contacts\":[{\"point\":[0,0,0],\"planes\":[[0,0,1]]},{\"point\":[2,0,0],\"planes\":[[0,0,1]]}]}\n"
     "or two CAD models in place, with the elements that touch (or without: all contacts are found):\n"
-    "  {\"moving\":\"peg.off\",\"fixed\":\"hole.off\",\"unit\":\"mm\",\"pose\":{\"t\":[0,0,5],\"q\":[1,0,0,0]},\n"
+    "  "
+    "{\"moving\":\"peg.off\",\"fixed\":\"hole.off\",\"unit\":\"mm\",\"pose\":{\"t\":[0,0,5],\"q\":[1,0,0,0]},"
+    "\n"
     "   \"contacts\":[{\"moving\":{\"vertex\":3},\"fixed\":{\"face\":5}}]}\n"
     "Numbers are exact; strings such as \"1/3\" are numbers too.\n";
 
 constexpr const char* kContactsHelp =
-    "The models are OFF, OBJ, STL or PLY files of closed surfaces. The pose is that of MOVING in the frame of FIXED:\n"
-    "a JSON text or a file of it, {\"t\":[x,y,z],\"q\":[w,x,y,z]} (exact; q need not be unit), or with \"axis\" and\n"
-    "\"angle\", or with \"matrix\". With --json the answer is a contact relation file for tact dof and tact modes.\n"
+    "The models are OFF, OBJ, STL or PLY files of closed surfaces. The pose is that of MOVING in the frame "
+    "of FIXED:\n"
+    "a JSON text or a file of it, {\"t\":[x,y,z],\"q\":[w,x,y,z]} (exact; q need not be unit), or with "
+    "\"axis\" and\n"
+    "\"angle\", or with \"matrix\". With --json the answer is a contact relation file for tact dof and tact "
+    "modes.\n"
     "Example: tact contacts peg.off slot.off --unit mm --pose '{\"t\":[0,0,-5],\"q\":[1,0,0,0]}'";
 
 constexpr const char* kRecognizeHelp =
@@ -35,19 +40,22 @@ constexpr const char* kRecognizeHelp =
     "Example: tact recognize examples/peg_in_hole/demonstration.json";
 
 constexpr const char* kVerifyHelp =
-    "Puts every claim of the ledger on trial and writes a folder with index.html for people, ledger.json for\n"
+    "Puts every claim of the ledger on trial and writes a folder with index.html for people, ledger.json "
+    "for\n"
     "programs and certificates/, which tact-check re-checks on its own.\n"
     "Example: tact verify --only 'thesis.2.8.2.*' -o peg_report";
 
 std::string CommandNames(const CLI::App& app) {
   std::string names;
-  for (const CLI::App* command : app.get_subcommands({})) names += (names.empty() ? "" : ", ") + command->get_name();
+  for (const CLI::App* command : app.get_subcommands({}))
+    names += (names.empty() ? "" : ", ") + command->get_name();
   return names;
 }
 
 bool IsCommand(const CLI::App& app, const std::string& word) {
   const auto commands = app.get_subcommands({});
-  return std::any_of(commands.begin(), commands.end(), [&](const CLI::App* c) { return c->get_name() == word; });
+  return std::any_of(commands.begin(), commands.end(),
+                     [&](const CLI::App* c) { return c->get_name() == word; });
 }
 
 // What was asked for: every command's options, and the command to run with them.
@@ -58,8 +66,8 @@ struct Request {
   std::function<ExitStatus()> run;
 };
 
-void AddFileCommand(CLI::App& app, Request& request, const char* name, const char* summary, const char* argument,
-                    const std::string& footer, ExitStatus (*run)(const FileOptions&)) {
+void AddFileCommand(CLI::App& app, Request& request, const char* name, const char* summary,
+                    const char* argument, const std::string& footer, ExitStatus (*run)(const FileOptions&)) {
   CLI::App* parser = app.add_subcommand(name, summary);
   parser->footer(footer);
   parser->add_option(argument, request.file.file, "a file, or - for standard input")->required();
@@ -74,8 +82,11 @@ void AddContactsCommand(CLI::App& app, Request& request) {
   parser->add_option("MOVING", options.moving, "the moving model")->required();
   parser->add_option("FIXED", options.fixed, "the fixed model")->required();
   parser->add_option("--pose", options.pose, "pose of MOVING in the frame of FIXED")->required();
-  parser->add_option("--unit", options.unit, "unit of both models and the pose: mm, cm, m or in (a mesh names none)");
-  parser->add_option("--tolerance", options.tolerance, "gap or overlap that still counts as contact, millimetres")
+  parser->add_option("--unit", options.unit,
+                     "unit of both models and the pose: mm, cm, m or in (a mesh names none)");
+  parser
+      ->add_option("--tolerance", options.tolerance,
+                   "gap or overlap that still counts as contact, millimetres")
       ->capture_default_str();
   parser->add_flag("--json", options.json, "answer with a contact relation in JSON");
   parser->callback([&request] { request.run = [&request] { return RunContacts(request.contacts); }; });
@@ -98,8 +109,8 @@ void AddCommands(CLI::App& app, Request& request) {
   AddFileCommand(app, request, "modes", "Contact modes: every face of the legal cone", "FILE",
                  std::string(kRelationHelp) + "Example: tact modes edge_on_face.json --json", RunModes);
   AddContactsCommand(app, request);
-  AddFileCommand(app, request, "recognize", "A demonstration's contact relations, transitions and sub-skills", "DEMO",
-                 kRecognizeHelp, RunRecognize);
+  AddFileCommand(app, request, "recognize", "A demonstration's contact relations, transitions and sub-skills",
+                 "DEMO", kRecognizeHelp, RunRecognize);
   AddVerifyCommand(app, request);
 }
 
