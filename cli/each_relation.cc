@@ -30,6 +30,8 @@ void AnswerEachRelation(const FileOptions& options,
       text = answer(relation);
     } catch (const PreconditionError& error) {
       throw InputError(relations.where() + ": " + error.what());
+    } catch (const BudgetError& error) {
+      throw BudgetError(relations.where() + ": " + error.what());
     }
     if (!options.json) {
       several = several || relations.HasMore();

@@ -12,7 +12,7 @@
 namespace tact::cli {
 
 /// Writes answer(relation) for each relation of the file; for people, several answers are numbered.
-/// InputError: the file; and what the answer refuses (PreconditionError), with the relation's place.
+/// InputError: the file; and what the answer refuses (PreconditionError), with the relation's place. BudgetError: likewise.
 void AnswerEachRelation(const FileOptions& options,
                         const std::function<std::string(const algebra::ContactRelation&)>& answer);
 

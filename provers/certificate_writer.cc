@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "algebra/cone/complementary_pair.h"
-#include "algebra/contact/contact_rows.h"
 #include "algebra/error.h"
 
 namespace tact::provers {
@@ -19,7 +18,8 @@ using Json = nlohmann::ordered_json;
 // Integers beyond 2^53 travel as strings.
 Json ToJson(const Integer& value) {
   constexpr int64_t kLargestNumber = int64_t{1} << 53;
-  if (value.is_small() && value.small() <= kLargestNumber && value.small() >= -kLargestNumber) return value.small();
+  if (value.is_small() && value.small() <= kLargestNumber && value.small() >= -kLargestNumber)
+    return value.small();
   return value.ToString();
 }
 
@@ -34,13 +34,26 @@ Json NormalToJson(const Vector3& normal) {
   return ToJson(std::vector<Integer>{n.x.numerator(), n.y.numerator(), n.z.numerator()});
 }
 
-Json PointToJson(const Vector3& p) {
+// The positive least common denominator of a point's entries.
+Integer Denominator(const Vector3& p) {
   Integer w(1);
   for (int i = 0; i < 3; ++i) w *= DivideExactly(p[i].denominator(), Gcd(w, p[i].denominator()));
-  std::vector<Integer> homogeneous;
-  for (int i = 0; i < 3; ++i) homogeneous.push_back(p[i].numerator() * DivideExactly(w, p[i].denominator()));
-  homogeneous.push_back(w);
-  return ToJson(homogeneous);
+  return w;
+}
+
+Json PointToJson(const Vector3& p) {
+  const Integer w = Denominator(p);
+  const Vector3 scaled = Rational(w) * p;
+  return ToJson(std::vector<Integer>{scaled.x.numerator(), scaled.y.numerator(), scaled.z.numerator(), w});
+}
+
+// [ (X,Y,Z) x n | W n ] of the point and the normal as written: y depends on the length of each row, so that the
+// primitive rows of the engines will not do.
+std::vector<Integer> WrittenRow(const Vector3& point, const Vector3& normal) {
+  const Rational w(Denominator(point));
+  const Vector3 n = Primitive(normal), torque = Cross(w * point, n), force = w * n;
+  return {torque.x.numerator(), torque.y.numerator(), torque.z.numerator(),
+          force.x.numerator(),  force.y.numerator(),  force.z.numerator()};
 }
 
 Json PlanesToJson(const std::vector<Vector3>& planes) {
@@ -82,7 +95,7 @@ Json RelationToJson(const ContactRelation& relation) {
     if (!contact.name.empty()) entry["name"] = contact.name;
     contacts.push_back(entry);
     if (contact.singular()) continue;
-    const auto row = algebra::ContactRow(contact.point, contact.planes[0]);
+    const std::vector<Integer> row = WrittenRow(contact.point, contact.planes[0]);
     rows.insert(rows.end(), row.begin(), row.end());
     forces.insert(forces.end(), row.begin() + 3, row.end());
   }
@@ -107,7 +120,9 @@ void AddAsserts(Json& certificate, const std::vector<Assertion>& asserts) {
   certificate["asserts"] = list;
 }
 
-Certificate Finish(const std::string& name, const Json& certificate) { return {name, certificate.dump() + "\n"}; }
+Certificate Finish(const std::string& name, const Json& certificate) {
+  return {name, certificate.dump() + "\n"};
+}
 
 Json TransitionToJson(size_t from, const MotionDof& before, const MotionDof& after) {
   const algebra::Transition transition = AnalyzeTransition(before, after);
@@ -139,7 +154,8 @@ int IndexValue(const MotionDof& dof, const std::string& index) {
   const size_t dot = index.find('.');
   if (dot != std::string::npos) {
     const std::string motion = index.substr(0, dot), kind = index.substr(dot + 1);
-    if (all.contains(motion) && all[motion].is_object() && all[motion].contains(kind)) return all[motion][kind];
+    if (all.contains(motion) && all[motion].is_object() && all[motion].contains(kind))
+      return all[motion][kind];
   }
   throw PreconditionError("no index " + index);
 }
@@ -155,8 +171,8 @@ bool Holds(const Assertion& assertion, const MotionDof& dof) {
   throw PreconditionError("an assertion cannot be " + assertion.is);
 }
 
-Certificate MotionDofCertificate(const std::string& name, const std::string& claim, const ContactRelation& relation,
-                                 const std::vector<Assertion>& asserts) {
+Certificate MotionDofCertificate(const std::string& name, const std::string& claim,
+                                 const ContactRelation& relation, const std::vector<Assertion>& asserts) {
   Json certificate = Head(claim, "motion-dofs");
   certificate["relation"] = RelationToJson(relation);
   AddAsserts(certificate, asserts);
@@ -170,7 +186,8 @@ Certificate CensusCertificate(const std::string& name, const std::string& claim,
   certificate["world"] = world;
   certificate["count"] = count;
   Json list = Json::array();
-  for (const CensusClass& c : classes) list.push_back(Json{{"count", c.count}, {"relation", RelationToJson(c.witness)}});
+  for (const CensusClass& c : classes)
+    list.push_back(Json{{"count", c.count}, {"relation", RelationToJson(c.witness)}});
   certificate["classes"] = list;
   AddAsserts(certificate, asserts);
   return Finish(name, certificate);
@@ -211,7 +228,8 @@ Certificate BasisCertificate(const std::string& name, const std::string& claim,
   return Finish(name, certificate);
 }
 
-Certificate IllReducedEdgeCertificate(const std::string& name, const std::string& claim, const IllReducedEdge& edge) {
+Certificate IllReducedEdgeCertificate(const std::string& name, const std::string& claim,
+                                      const IllReducedEdge& edge) {
   Json certificate = Head(claim, "ill-reduced-singular");
   certificate["ends"] = Json::array({PointToJson(edge.first), PointToJson(edge.second)});
   certificate["planes"] = PlanesToJson(edge.planes);

@@ -34,14 +34,16 @@ struct CensusClass {
 using Changes = std::vector<std::pair<std::string, int>>;
 
 Certificate MotionDofCertificate(const std::string& name, const std::string& claim,
-                                 const algebra::ContactRelation& relation, const std::vector<Assertion>& asserts);
+                                 const algebra::ContactRelation& relation,
+                                 const std::vector<Assertion>& asserts);
 Certificate CensusCertificate(const std::string& name, const std::string& claim, const std::string& world,
                               size_t count, const std::vector<CensusClass>& classes,
                               const std::vector<Assertion>& asserts);
 /// Transitions from each relation to the next; expects names transitions by their place in the sequence.
-Certificate TransitionsCertificate(const std::string& name, const std::string& claim,
-                                   const std::vector<std::pair<std::string, algebra::ContactRelation>>& relations,
-                                   const std::vector<std::pair<size_t, Changes>>& expects);
+Certificate TransitionsCertificate(
+    const std::string& name, const std::string& claim,
+    const std::vector<std::pair<std::string, algebra::ContactRelation>>& relations,
+    const std::vector<std::pair<size_t, Changes>>& expects);
 /// vectors and reduced: six integers each, angular part first.
 Certificate BasisCertificate(const std::string& name, const std::string& claim,
                              const std::vector<std::vector<algebra::Integer>>& vectors,
@@ -53,6 +55,7 @@ struct IllReducedEdge {
   std::vector<algebra::Integer> motion;
   int s = 1, t = 1;
 };
-Certificate IllReducedEdgeCertificate(const std::string& name, const std::string& claim, const IllReducedEdge& edge);
+Certificate IllReducedEdgeCertificate(const std::string& name, const std::string& claim,
+                                      const IllReducedEdge& edge);
 
 }  // namespace tact::provers

@@ -1,6 +1,6 @@
 /// @file
 /// Polyhedral convex cones in any dimension: half-space data, generators, faces, projection, membership.
-/// Model   A cone is { x | A x >= 0, E x = 0 } and, as well, { L^T s + R^T t | t >= 0 } [Minkowski, Weyl].
+/// Model   A cone is { x | A x >= 0, E x = 0 } and, as well, { L^T s + R^T t | t >= 0 } (Minkowski and Weyl).
 /// A's rows are
 ///         inequalities, E's equalities, L's lines, R's rays. The lineality space is its largest linear
 ///         subspace.
@@ -120,7 +120,7 @@ struct SeparatingNormal {
   IntegerVector normal;
 };
 /// Whether x lies in the cone, with evidence either way. Generators may be redundant. Phase one of the
-/// simplex method in integers with Bland's rule: it always ends.
+/// simplex method in integers with Bland's rule [Bland 1977]: it always ends.
 std::variant<Combination, SeparatingNormal> FindCombination(const GeneratorCone& cone,
                                                             std::span<const Integer> x);
 

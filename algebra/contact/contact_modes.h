@@ -4,7 +4,7 @@
 /// contact's at the
 ///         largest of its planes' rates, as any one plane suffices. A motion is legal if no rate is negative;
 ///         it keeps the contacts whose rate is zero and separates the others. Without singular contacts the
-///         modes are the faces of { V | A V >= 0 } [Huang, Cheng, Mason 2020]. With them they are those of
+///         modes are the faces of { V | A V >= 0 } [Huang et al. 2020]. With them they are those of
 ///         the faces of the cells where a selected plane of each singular contact has the largest rate, over
 ///         all selections.
 /// Exact   integer arithmetic throughout. First order only: a kept contact may open or close at the second.

@@ -26,7 +26,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   bool binary(binary_t&) override { return Stop("binary data"); }
   bool start_object(std::size_t) override { return Open({Object()}); }
   bool key(string_t& text) override {
-    std::get<Object>(open_.back()->data).emplace_back(std::move(text), Value{nullptr});
+    std::get<Object>(open_.back()->data).push_back({std::move(text), Value{nullptr}});
     return true;
   }
   bool end_object() override {
@@ -48,7 +48,9 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     const std::string_view what = error.what();  // "[json.exception.parse_error.101] parse error at ..."
     const std::size_t prefix = what.find("] ");
     const std::string_view text = prefix == what.npos ? what : what.substr(prefix + 2);
-    return Stop("no JSON: " + std::string(text.substr(0, 200)));
+    std::string printable(text.substr(0, 200));
+    for (char& c : printable) c = c >= ' ' && c <= '~' ? c : '?';
+    return Stop("no JSON: " + printable);
   }
 
   Value root{nullptr};
@@ -65,7 +67,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
       return &root;
     }
     if (Array* array = std::get_if<Array>(&open_.back()->data)) return &array->emplace_back(std::move(value));
-    Value& member = std::get<Object>(open_.back()->data).back().second;
+    Value& member = std::get<Object>(open_.back()->data).back().value;
     member = std::move(value);
     return &member;
   }
@@ -103,6 +105,12 @@ bool IsDecimal(std::string_view text) {
          std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
+bool IsName(std::string_view key) {
+  return key.size() <= kMaxQuoted && std::all_of(key.begin(), key.end(), [](char c) {
+           return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '.';
+         });
+}
+
 bool FindPath(const Value& root, const Value* where, std::string& path) {
   if (&root == where) return true;
   const std::size_t length = path.size();
@@ -114,7 +122,7 @@ bool FindPath(const Value& root, const Value* where, std::string& path) {
     }
   } else if (const Object* object = std::get_if<Object>(&root.data)) {
     for (const auto& [key, value] : *object) {
-      path += path.empty() ? key : "." + key;
+      path += (path.empty() ? "" : ".") + (IsName(key) ? key : Quote(key));
       if (FindPath(value, where, path)) return true;
       path.resize(length);
     }
@@ -127,6 +135,9 @@ bool FindPath(const Value& root, const Value* where, std::string& path) {
 Value ParseJson(std::string_view text) {
   if (text.size() > kMaxBytes) {
     throw Refused(nullptr, "longer than " + std::to_string(kMaxBytes) + " bytes");
+  }
+  if (text.find('\0') != text.npos) {  // the reader would take it for the end and skip the rest
+    throw Refused(nullptr, "no JSON: a zero byte");
   }
   TreeBuilder builder;
   if (!nlohmann::json::sax_parse(text.begin(), text.end(), &builder)) throw Refused(nullptr, builder.why);

@@ -12,7 +12,6 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -23,8 +22,9 @@ inline constexpr std::size_t kMaxDepth = 32;
 inline constexpr std::size_t kMaxDigits = 100000;
 
 struct Value;
+struct Member;
 using Array = std::vector<Value>;
-using Object = std::vector<std::pair<std::string, Value>>;  // in the text's order; keys are distinct
+using Object = std::vector<Member>;  // in the text's order; keys are distinct
 
 /// A JSON number that is no integer of at most 2^53.
 struct OtherNumber {
@@ -33,6 +33,11 @@ struct OtherNumber {
 
 struct Value {
   std::variant<std::nullptr_t, bool, std::int64_t, OtherNumber, std::string, Array, Object> data;
+};
+
+struct Member {
+  std::string key;
+  Value value;
 };
 
 /// Why a text is refused, and the value that is to blame (null: the text as a whole).

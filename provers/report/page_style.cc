@@ -13,10 +13,10 @@ const char* const kPageStyle = R"css(
   --refuted: #ffb9b0; --refuted-bg: #541b18; --reproduced: #b9cdfd; --reproduced-bg: #1f2f5c; --not-reproduced: #fdcf95;
   --not-reproduced-bg: #4d2c08; --undecided: #d4d0c8; --undecided-bg: #3a3937; } }
 * { box-sizing: border-box; }
-html { scroll-behavior: smooth; scroll-padding-top: 1rem; }
+html { scroll-padding-top: 1rem; }
 body { margin: 0 auto; padding: 2.5rem 1.25rem 5rem; max-width: 46rem; background: var(--paper); color: var(--ink);
   font: 1.0625rem/1.6 Charter, "Bitstream Charter", "Sitka Text", Cambria, Georgia, serif; overflow-wrap: break-word; }
-h1, h2, h3, h4 { line-height: 1.25; text-wrap: balance; }
+h1, h2, h3, h4 { line-height: 1.25; }
 h1 { font-size: 2.4rem; margin: 0; letter-spacing: -0.01em; }
 h2 { font-size: 1.55rem; margin: 4rem 0 0.5rem; padding-bottom: 0.4rem; border-bottom: 2px solid var(--ink); }
 h3 { font-size: 1.15rem; margin: 2.2rem 0 0.8rem; color: var(--soft); font-weight: 600; }

@@ -1,6 +1,7 @@
 #include "provers/report/report.h"
 
 #include <fcntl.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
@@ -40,7 +41,18 @@ std::string ReadAll(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+// The report is made beside its place: the nearest folder above that is there must be one to write in.
+void CheckCanWriteBeside(const fs::path& directory) {
+  fs::path above = directory.parent_path();
+  std::error_code absent;
+  while (!fs::exists(above, absent) && above.has_relative_path()) above = above.parent_path();
+  const std::string wanted = "a folder to write the report in";
+  if (!fs::is_directory(above)) Refuse(above, wanted, "something that is no folder");
+  if (access(above.c_str(), W_OK | X_OK) != 0) Refuse(above, wanted, std::strerror(errno));
+}
+
 void CheckResolvedPlace(const fs::path& directory) {
+  CheckCanWriteBeside(directory);
   const fs::file_status status = fs::status(directory);
   if (!fs::exists(status)) return;
   const std::string wanted =

@@ -2,8 +2,13 @@
 
 #include <limits>
 
+#include "robot/input/length_unit.h"
+
 namespace tact::input {
 namespace {
+
+using algebra::Element;
+using algebra::ElementKind;
 
 std::filesystem::path ParsePath(const JsonValue& value, const std::string& source) {
   constexpr std::string_view kWanted = "the name of a CAD file";
@@ -16,7 +21,8 @@ std::filesystem::path ParsePath(const JsonValue& value, const std::string& sourc
 Element ParseElement(const JsonValue& value) {
   value.ExpectObject({"vertex", "edge", "face"});
   if (value.size() != 1)
-    value.Fail("expected one of \"vertex\", \"edge\" and \"face\", got " + std::to_string(value.size()));
+    value.Fail("expected one of \"vertex\", \"edge\" and \"face\", got " + std::to_string(value.size()) +
+               " of them");
   constexpr int64_t kLast = std::numeric_limits<int32_t>::max();
   if (const auto vertex = value.Find("vertex")) {
     return {ElementKind::kVertex, static_cast<size_t>(vertex->ReadInteger(0, kLast))};

@@ -13,29 +13,22 @@
 #include <string>
 #include <vector>
 
-#include "robot/input/length_unit.h"
+#include "algebra/contact/local_cone.h"
+#include "robot/cad/length_unit.h"
 #include "robot/input/pose.h"
 
 namespace tact::input {
 
-enum class ElementKind { kVertex, kEdge, kFace };
-
-/// An element of a solid; index counts from 0 in the order of algebra::Polyhedron.
-struct Element {
-  ElementKind kind = ElementKind::kVertex;
-  size_t index = 0;
-  friend bool operator==(const Element&, const Element&) = default;
-};
-
+/// An element's index counts from 0 in the order of algebra::Polyhedron.
 struct ElementPair {
-  Element moving, fixed;
+  algebra::Element moving, fixed;
   friend bool operator==(const ElementPair&, const ElementPair&) = default;
 };
 
 /// Two solids' files, relative names taken from the folder of the file that names them.
 struct CadModels {
   std::filesystem::path moving, fixed;
-  LengthUnit unit = LengthUnit::kMillimetre;
+  cad::LengthUnit unit = cad::LengthUnit::kMillimetre;
   algebra::Rational tolerance;  // not negative, in that unit
 };
 

@@ -89,7 +89,12 @@ class JsonBuilder {
 
   template <typename Exception>
   [[noreturn]] bool parse_error(size_t characters_read, const std::string&, const Exception& complaint) {
-    Refuse(characters_read, complaint.what());
+    // What was read last stands in the complaint too; it must not be taken for the package's words.
+    std::string words = complaint.what();
+    if (const size_t quoted = words.find("; last read: '"); quoted != std::string::npos) {
+      words.erase(quoted, words.rfind('\'') + 1 - quoted);
+    }
+    Refuse(characters_read, words);
   }
 
  private:
@@ -135,7 +140,7 @@ class JsonBuilder {
       escaped = backslashes % 2 == 1;
     }
     uint32_t extra = JsonDocument::kNone;
-    if (text_.find('\\', start) < close) {
+    if (std::string_view(text_).substr(start, close - start).find('\\') != std::string_view::npos) {
       extra = static_cast<uint32_t>(document_.unescaped_.size());
       document_.unescaped_.push_back(value);
     }
@@ -215,15 +220,25 @@ class JsonBuilder {
     if (says("after backslash")) Fail(last, "one of \" \\ / b f n r t u after a backslash, got " + character);
     if (says("hex digits")) Fail(last, "four hexadecimal digits after \\u, got " + character);
     if (says("surrogate")) Fail(last, "a surrogate pair \\uD8.. \\uDC.., got one half of it");
-    if (says("ill-formed UTF-8")) Fail(last, "UTF-8 text, got " + character);
+    if (says("ill-formed UTF-8")) {
+      size_t lead = last;  // the package stops behind the byte that promised more
+      while (lead > 0 && last - lead < 3 && (text_[lead] & 0xC0) != 0xC0) --lead;
+      const size_t culprit = (text_[lead] & 0xC0) == 0xC0 ? lead : last;
+      Fail(culprit, "UTF-8 text, got " + DescribeCharacter(text_[culprit]));
+    }
 
     size_t start = BadTokenStart(characters_read);
     const bool number_goes_on = start >= characters_read;  // 01, 1-2, 1.5.3
     if (number_goes_on) start = document_.nodes_.back().offset;
     const std::string got = DescribeToken(start);
     if (says("number overflow")) Fail(start, "a number within the range of a double, got " + got);
-    if (got == "NaN" || got == "nan" || got == "Infinity" || got == "inf")
-      Fail(start, "a finite number, got " + got);
+    const std::string unsigned_got = got[0] == '-' ? got.substr(1) : got;
+    for (const char* word : {"NaN", "nan", "Infinity", "inf"}) {
+      if (unsigned_got == word) Fail(start, "a finite number, got " + got);
+    }
+    if (got == "'/'" && !open_.empty() && document_.nodes_.back().kind == JsonKind::kNumber) {
+      Fail(start, Expected(complaint) + ", got '/'; a fraction goes in quotes: \"1/3\"");
+    }
     const bool number = number_goes_on ||
                         (says("parsing value") && kNumberStarts.find(text_[start]) != std::string_view::npos);
     Fail(start, (number ? "a number as JSON writes it" : Expected(complaint)) + ", got " + got);
@@ -231,7 +246,7 @@ class JsonBuilder {
 
   static std::string Expected(std::string_view complaint) {
     const auto says = [&](std::string_view words) { return complaint.find(words) != std::string_view::npos; };
-    if (says("expected end of input")) return "the end of the text (several values go one a line)";
+    if (says("; expected end of input")) return "the end of the text (several values go one a line)";
     if (says("parsing object key")) return "a key in quotes";
     if (says("parsing object separator")) return "':' after the key";
     if (says("parsing object")) return "',' or '}'";

@@ -146,7 +146,7 @@ algebra::Rational JsonValue::ReadRational() const {
          std::to_string(text.size()));
   }
   if (const auto value = algebra::Rational::Parse(text)) return *value;
-  FailExpected("a finite number or a string \"p/q\" with q not 0");
+  FailExpected("a number with an exponent of at most 400 or a string \"p/q\" with q not 0");
 }
 
 int64_t JsonValue::ReadInteger(int64_t low, int64_t high) const {

@@ -1,20 +1,13 @@
 /// @file
-/// Length units that a file may name.
-/// Exact   conversions are rational: an inch is 127/5 mm.
+/// Length units that a JSON file may name; the units themselves are robot/cad/length_unit.h's.
 #pragma once
 
-#include <string>
-
-#include "algebra/exact/rational.h"
+#include "robot/cad/length_unit.h"
 #include "robot/input/json_value.h"
 
 namespace tact::input {
 
-enum class LengthUnit { kMillimetre, kCentimetre, kMetre, kInch };
-
 /// "mm", "cm", "m" or "in"; InputError for anything else.
-LengthUnit ParseLengthUnit(const JsonValue& value);
-std::string ToString(LengthUnit unit);
-algebra::Rational MillimetresPer(LengthUnit unit);
+cad::LengthUnit ParseLengthUnit(const JsonValue& value);
 
 }  // namespace tact::input

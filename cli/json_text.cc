@@ -1,0 +1,83 @@
+#include "cli/json_text.h"
+
+#include <array>
+#include <cstdio>
+
+namespace tact::cli {
+namespace {
+
+template <typename... Values>
+std::string Format(const char* format, Values... values) {
+  std::array<char, 512> text;
+  std::snprintf(text.data(), text.size(), format, values...);
+  return text.data();
+}
+
+template <typename List, typename Print>
+std::string Join(const List& list, const Print& print) {
+  std::string text = "[";
+  for (const auto& item : list) text += (text.size() > 1 ? "," : "") + print(item);
+  return text + "]";
+}
+
+std::string PlainToJson(const algebra::TranslationDof& dof) {
+  return Format(R"({"maintaining":%d,"detaching":%d,"constraining":%d,"restricted":%d})", dof.maintaining,
+                dof.detaching, dof.constraining, dof.restricted);
+}
+
+std::string RotationToJson(const algebra::RotationDof& dof) {
+  return Format(R"({"maintaining":%d,"detaching":%d,"detaching_type1":%d,"detaching_type2":%d,)"
+                R"("constraining":%d,"restricted":%d})",
+                dof.maintaining, dof.detaching, dof.detaching_type1, dof.detaching_type2, dof.constraining,
+                dof.restricted);
+}
+
+}  // namespace
+
+std::string JsonString(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      quoted += std::string("\\") + c;
+    } else if (static_cast<unsigned char>(c) < 0x20) {
+      quoted += Format("\\u%04x", c);
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted + "\"";
+}
+
+std::string ToJson(const algebra::Rational& value) {
+  constexpr size_t kDoubleBits = 53;
+  const std::string text = value.ToString();
+  return value.is_integer() && value.numerator().bits() <= kDoubleBits ? text : "\"" + text + "\"";
+}
+
+std::string ToJson(const algebra::Vector3& v) {
+  return "[" + ToJson(v.x) + "," + ToJson(v.y) + "," + ToJson(v.z) + "]";
+}
+
+std::string ToJson(const algebra::Contact& contact) {
+  std::string text = R"({"point":)" + ToJson(contact.point) + R"(,"planes":)" +
+                     Join(contact.planes, [](const algebra::Vector3& n) { return ToJson(n); });
+  if (!contact.name.empty()) text += R"(,"name":)" + JsonString(contact.name);
+  return text + "}";
+}
+
+std::string ContactsToJson(const algebra::ContactRelation& relation) {
+  return Join(relation.contacts, [](const algebra::Contact& c) { return ToJson(c); });
+}
+
+std::string ToJson(const algebra::MotionDof& dof) {
+  return std::string(R"({"singular":)") + (dof.singular ? "true" : "false") + R"(,"translation":)" +
+         PlainToJson(dof.translation) + R"(,"rotation":)" + RotationToJson(dof.rotation) + R"(,"all":)" +
+         PlainToJson(dof.all) + "}";
+}
+
+std::string ToJson(const algebra::DofTransition& t) {
+  return R"({"motion":")" + ToString(t.motion) + R"(","from":")" + ToString(t.from) + R"(","to":")" +
+         ToString(t.to) + R"("})";
+}
+
+}  // namespace tact::cli

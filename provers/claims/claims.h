@@ -1,0 +1,23 @@
+/// @file
+/// The claims on trial, a file a part of the thesis.
+#pragma once
+
+#include <vector>
+
+#include "provers/ledger.h"
+
+namespace tact::provers {
+
+/// [thesis, 2.1]: legal infinitesimal displacement.
+std::vector<Claim> DisplacementClaims();
+/// [thesis, 2.2.1 and A.1]: motion DOFs of non-singular relations.
+std::vector<Claim> MotionDofClaims();
+/// [thesis, 2.2.2-2.6]: singular relations, restricted DOFs, sub-skill rules.
+std::vector<Claim> SingularClaims();
+/// [thesis, 2.8.2]: the peg insertion and its seven transitions.
+std::vector<Claim> PegInsertionClaims();
+
+/// Every claim, in the order of the thesis.
+std::vector<Claim> AllClaims();
+
+}  // namespace tact::provers
