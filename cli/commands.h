@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace tact::cli {
 
@@ -15,9 +16,29 @@ struct FileOptions {
   bool json = false;  // one JSON object a line
 };
 
+struct ContactsOptions {
+  std::string moving, fixed;    // mesh files
+  std::string pose;             // of the moving model in the fixed one's frame, in JSON or a file of it
+  std::string tolerance = "0";  // millimetres
+  std::string unit;             // of both models and of the pose
+  bool json = false;
+};
+
+struct VerifyOptions {
+  bool quick = false, full = false;
+  std::vector<std::string> only;  // globs of claim ids; none: every claim
+  std::string directory = "report";
+};
+
 /// Motion DOFs of each contact relation of a file.
 ExitStatus RunDof(const FileOptions& options);
 /// Contact modes of each contact relation of a file.
 ExitStatus RunModes(const FileOptions& options);
+/// The contact relation of two models in a pose.
+ExitStatus RunContacts(const ContactsOptions& options);
+/// Contact relations, transitions, sub-skills and critical transitions of a demonstration.
+ExitStatus RunRecognize(const FileOptions& options);
+/// The ledger of claims on trial; writes the report.
+ExitStatus RunVerify(const VerifyOptions& options);
 
 }  // namespace tact::cli

@@ -13,14 +13,16 @@ namespace {
 std::string ToList(const algebra::FoundContacts& found, const std::string& unit) {
   if (found.primitives.empty()) return "nothing touches\n";
   std::string text = std::to_string(found.primitives.size()) + " contact primitive" +
-                     (found.primitives.size() == 1 ? "" : "s") + ", moving on fixed; points in the fixed model's frame, " +
-                     unit + "; normals to the legal side\n";
+                     (found.primitives.size() == 1 ? "" : "s") +
+                     ", moving on fixed; points in the fixed model's frame, " + unit +
+                     "; normals to the legal side\n";
   for (const algebra::ContactPrimitive& primitive : found.primitives) {
     text += KindOf(primitive) + "  " + ToString(primitive.moving) + " on " + ToString(primitive.fixed) + "\n";
     for (const size_t i : primitive.contacts) {
       const algebra::Contact& contact = found.relation.contacts[i];
       text += "    at " + ToString(contact.point) + "  normal ";
-      for (size_t j = 0; j < contact.planes.size(); ++j) text += (j == 0 ? "" : " or ") + ToString(contact.planes[j]);
+      for (size_t j = 0; j < contact.planes.size(); ++j)
+        text += (j == 0 ? "" : " or ") + ToString(contact.planes[j]);
       text += contact.singular() ? "  (singular)\n" : "\n";
     }
   }
@@ -37,7 +39,8 @@ ExitStatus RunContacts(const ContactsOptions& options) {
   }
   const auto tolerance = algebra::Rational::Parse(options.tolerance);
   if (!tolerance || tolerance->sign() < 0) {
-    throw InputError("--tolerance: expected a number of millimetres that is not negative, got " + options.tolerance);
+    throw InputError("--tolerance: expected a number of millimetres that is not negative, got " +
+                     options.tolerance);
   }
   const input::PoseInput pose = input::ParsePoseArgument(options.pose, "--pose");
   input::CadModels models{options.moving, options.fixed, *unit, *tolerance / cad::InMillimetres(*unit)};
@@ -48,7 +51,8 @@ ExitStatus RunContacts(const ContactsOptions& options) {
   }
   const algebra::FoundContacts found = recognition::ContactsInPose(pair, pose.pose, "--pose");
   Output output;
-  output << (options.json ? R"({"contacts":)" + ContactsToJson(found.relation) + "}\n" : ToList(found, options.unit));
+  output << (options.json ? R"({"contacts":)" + ContactsToJson(found.relation) + "}\n"
+                          : ToList(found, options.unit));
   output.Flush();
   return kAnswered;
 }

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <exception>
+#include <functional>
 #include <iostream>
 #include <new>
 
@@ -11,33 +12,106 @@
 namespace tact::cli {
 namespace {
 
-struct Command {
-  const char* name;
-  const char* summary;
-  const char* details;  // below the options of --help
-  ExitStatus (*run)(const FileOptions&);
-};
-
 constexpr const char* kRelationHelp =
     "FILE holds a contact relation in JSON, or many, one a line; - is standard input.\n"
     "A contact is a point and its planes, each a normal to the legal side:\n"
     "  {\"contacts\":[{\"point\":[0,0,0],\"planes\":[[0,0,1]]},{\"point\":[2,0,0],\"planes\":[[0,0,1]]}]}\n"
+    "or two CAD models in place, with the elements that touch (or without: all contacts are found):\n"
+    "  "
+    "{\"moving\":\"peg.off\",\"fixed\":\"hole.off\",\"unit\":\"mm\",\"pose\":{\"t\":[0,0,5],\"q\":[1,0,0,0]},"
+    "\n"
+    "   \"contacts\":[{\"moving\":{\"vertex\":3},\"fixed\":{\"face\":5}}]}\n"
     "Numbers are exact; strings such as \"1/3\" are numbers too.\n";
 
-const Command kCommands[] = {
-    {"dof", "Motion DOFs of contact relations", "Example: tact dof edge_on_face.json --json", RunDof},
-    {"modes", "Contact modes of contact relations", "Example: tact modes edge_on_face.json --json", RunModes},
-};
+constexpr const char* kContactsHelp =
+    "The models are OFF, OBJ, STL or PLY files of closed surfaces. The pose is that of MOVING in the frame "
+    "of FIXED:\n"
+    "a JSON text or a file of it, {\"t\":[x,y,z],\"q\":[w,x,y,z]} (exact; q need not be unit), or with "
+    "\"axis\" and\n"
+    "\"angle\", or with \"matrix\". With --json the answer is a contact relation file for tact dof and tact "
+    "modes.\n"
+    "Example: tact contacts peg.off slot.off --unit mm --pose '{\"t\":[0,0,-5],\"q\":[1,0,0,0]}'";
 
-std::string CommandNames() {
+constexpr const char* kRecognizeHelp =
+    "DEMO holds two models and the poses of the moving one, or contact relations:\n"
+    "  {\"moving\":\"peg.off\",\"fixed\":\"slot.off\",\"unit\":\"mm\",\"tolerance\":0,\n"
+    "   \"states\":[{\"name\":\"A\",\"pose\":{\"t\":[0,0,3],\"q\":[1,0,0,0]}},...]}\n"
+    "  {\"relations\":[{\"name\":\"A\",\"contacts\":[...]},...]}\n"
+    "Example: tact recognize examples/peg_in_hole/demonstration.json";
+
+constexpr const char* kVerifyHelp =
+    "Puts every claim of the ledger on trial and writes a folder with index.html for people, ledger.json "
+    "for\n"
+    "programs and certificates/, which tact-check re-checks on its own.\n"
+    "Example: tact verify --only 'thesis.2.8.2.*' -o peg_report";
+
+std::string CommandNames(const CLI::App& app) {
   std::string names;
-  for (const Command& command : kCommands) names += (names.empty() ? "" : ", ") + std::string(command.name);
+  for (const CLI::App* command : app.get_subcommands({}))
+    names += (names.empty() ? "" : ", ") + command->get_name();
   return names;
 }
 
-bool IsCommand(std::string_view word) {
-  return std::any_of(std::begin(kCommands), std::end(kCommands),
-                     [&](const Command& c) { return c.name == word; });
+bool IsCommand(const CLI::App& app, const std::string& word) {
+  const auto commands = app.get_subcommands({});
+  return std::any_of(commands.begin(), commands.end(),
+                     [&](const CLI::App* c) { return c->get_name() == word; });
+}
+
+// What was asked for: every command's options, and the command to run with them.
+struct Request {
+  FileOptions file;
+  ContactsOptions contacts;
+  VerifyOptions verify;
+  std::function<ExitStatus()> run;
+};
+
+void AddFileCommand(CLI::App& app, Request& request, const char* name, const char* summary,
+                    const char* argument, const std::string& footer, ExitStatus (*run)(const FileOptions&)) {
+  CLI::App* parser = app.add_subcommand(name, summary);
+  parser->footer(footer);
+  parser->add_option(argument, request.file.file, "a file, or - for standard input")->required();
+  parser->add_flag("--json", request.file.json, "answer in JSON");
+  parser->callback([&request, run] { request.run = [&request, run] { return run(request.file); }; });
+}
+
+void AddContactsCommand(CLI::App& app, Request& request) {
+  ContactsOptions& options = request.contacts;
+  CLI::App* parser = app.add_subcommand("contacts", "The contact relation of two CAD models in a pose");
+  parser->footer(kContactsHelp);
+  parser->add_option("MOVING", options.moving, "the moving model")->required();
+  parser->add_option("FIXED", options.fixed, "the fixed model")->required();
+  parser->add_option("--pose", options.pose, "pose of MOVING in the frame of FIXED")->required();
+  parser->add_option("--unit", options.unit,
+                     "unit of both models and the pose: mm, cm, m or in (a mesh names none)");
+  parser
+      ->add_option("--tolerance", options.tolerance,
+                   "gap or overlap that still counts as contact, millimetres")
+      ->capture_default_str();
+  parser->add_flag("--json", options.json, "answer with a contact relation in JSON");
+  parser->callback([&request] { request.run = [&request] { return RunContacts(request.contacts); }; });
+}
+
+void AddVerifyCommand(CLI::App& app, Request& request) {
+  VerifyOptions& options = request.verify;
+  CLI::App* parser = app.add_subcommand("verify", "Put the ledger of claims on trial and write the report");
+  parser->footer(kVerifyHelp);
+  CLI::Option* quick = parser->add_flag("--quick", options.quick, "smaller bounds, for a look");
+  parser->add_flag("--full", options.full, "the largest bounds")->excludes(quick);
+  parser->add_option("--only", options.only, "claims whose id matches: globs with * and ?");
+  parser->add_option("-o,--output", options.directory, "folder of the report")->capture_default_str();
+  parser->callback([&request] { request.run = [&request] { return RunVerify(request.verify); }; });
+}
+
+void AddCommands(CLI::App& app, Request& request) {
+  AddFileCommand(app, request, "dof", "Motion DOFs of contact relations", "FILE",
+                 std::string(kRelationHelp) + "Example: tact dof edge_on_face.json --json", RunDof);
+  AddFileCommand(app, request, "modes", "Contact modes: every face of the legal cone", "FILE",
+                 std::string(kRelationHelp) + "Example: tact modes edge_on_face.json --json", RunModes);
+  AddContactsCommand(app, request);
+  AddFileCommand(app, request, "recognize", "A demonstration's contact relations, transitions and sub-skills",
+                 "DEMO", kRecognizeHelp, RunRecognize);
+  AddVerifyCommand(app, request);
 }
 
 int ReportUsage(const std::string& message) {
@@ -50,17 +124,10 @@ int Run(int argc, char** argv) {
       "tact: exact contact kinematics\nExit status: 0 answered, 1 undecided, 2 bad input, 3 a bug of tact",
       "tact");
   app.set_version_flag("--version", "tact " TACT_VERSION);
-  FileOptions options;
-  ExitStatus (*run)(const FileOptions&) = nullptr;
-  for (const Command& command : kCommands) {
-    CLI::App* parser = app.add_subcommand(command.name, command.summary);
-    parser->footer(std::string(kRelationHelp) + command.details);
-    parser->add_option("FILE", options.file, "contact relations, or - for standard input")->required();
-    parser->add_flag("--json", options.json, "answer in JSON, a line each");
-    parser->callback([&run, &command] { run = command.run; });
-  }
-  if (argc > 1 && argv[1][0] != '-' && !IsCommand(argv[1])) {
-    return ReportUsage("expected a command, one of " + CommandNames() + ", got " + argv[1]);
+  Request request;
+  AddCommands(app, request);
+  if (argc > 1 && argv[1][0] != '-' && !IsCommand(app, argv[1])) {
+    return ReportUsage("expected a command, one of " + CommandNames(app) + ", got " + argv[1]);
   }
   try {
     app.parse(argc, argv);
@@ -69,8 +136,8 @@ int Run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return ReportUsage(error.what());
   }
-  if (run == nullptr) return ReportUsage("expected a command, one of " + CommandNames() + ", got none");
-  return run(options);
+  if (!request.run) return ReportUsage("expected a command, one of " + CommandNames(app) + ", got none");
+  return request.run();
 }
 
 }  // namespace

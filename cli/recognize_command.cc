@@ -14,15 +14,19 @@ using recognition::Recognition;
 using recognition::SeenRelation;
 
 std::string RelationToJson(const SeenRelation& r) {
-  return R"({"frames":[)" + std::to_string(r.first) + "," + std::to_string(r.last) + R"(],"name":)" + JsonString(r.name) +
-         R"(,"contacts":)" + ContactsToJson(r.relation) + R"(,"dof":)" + ToJson(r.dof) + "}";
+  return R"({"frames":[)" + std::to_string(r.first) + "," + std::to_string(r.last) + R"(],"name":)" +
+         JsonString(r.name) + R"(,"contacts":)" + ContactsToJson(r.relation) + R"(,"dof":)" + ToJson(r.dof) +
+         "}";
 }
 
 std::string TransitionToJson(const algebra::Transition& t, size_t from) {
-  std::string text = R"({"from":)" + std::to_string(from) + R"(,"to":)" + std::to_string(from + 1) + R"(,"dof_transitions":[)";
-  for (size_t i = 0; i < t.dof_transitions.size(); ++i) text += (i == 0 ? "" : ",") + ToJson(t.dof_transitions[i]);
+  std::string text = R"({"from":)" + std::to_string(from) + R"(,"to":)" + std::to_string(from + 1) +
+                     R"(,"dof_transitions":[)";
+  for (size_t i = 0; i < t.dof_transitions.size(); ++i)
+    text += (i == 0 ? "" : ",") + ToJson(t.dof_transitions[i]);
   text += std::string(R"(],"practical":)") + (t.practical ? "true" : "false") + R"(,"sub_skills":[)";
-  for (size_t i = 0; i < t.sub_skills.size(); ++i) text += (i == 0 ? "" : ",") + JsonString(ToString(t.sub_skills[i]));
+  for (size_t i = 0; i < t.sub_skills.size(); ++i)
+    text += (i == 0 ? "" : ",") + JsonString(ToString(t.sub_skills[i]));
   return text + R"(],"critical":)" + (t.critical ? "true" : "false") + R"(,"why":)" + JsonString(t.why) + "}";
 }
 
@@ -55,7 +59,8 @@ std::string Summary(const SeenRelation& r) {
     const std::string kind = KindOf(r.primitives[i]);
     size_t same = i;
     while (same < r.primitives.size() && KindOf(r.primitives[same]) == kind) ++same;
-    text += (text.empty() ? "" : ", ") + (same - i > 1 ? std::to_string(same - i) + " " : std::string()) + kind;
+    text +=
+        (text.empty() ? "" : ", ") + (same - i > 1 ? std::to_string(same - i) + " " : std::string()) + kind;
     i = same;
   }
   return text;
@@ -63,13 +68,15 @@ std::string Summary(const SeenRelation& r) {
 
 std::string RelationTable(const Recognition& recognition) {
   std::string text =
-      "maintaining, detaching, constraining DOFs (singular ones where marked s), then restricted DOFs in translation and "
+      "maintaining, detaching, constraining DOFs (singular ones where marked s), then restricted DOFs in "
+      "translation and "
       "rotation\n" +
       Padded("relation", 12) + Padded("states", 10) + Padded("translation", 13) + Padded("rotation", 10) +
       Padded("restricted", 12) + "contacts\n";
   for (const SeenRelation& r : recognition.relations) {
     const auto& [t, w] = std::tie(r.dof.translation, r.dof.rotation);
-    const std::string states = std::to_string(r.first) + (r.last > r.first ? "-" + std::to_string(r.last) : "");
+    const std::string states =
+        std::to_string(r.first) + (r.last > r.first ? "-" + std::to_string(r.last) : "");
     text += Padded(r.name, 12) + Padded(states, 10) +
             Padded(Three(t.maintaining, t.detaching, t.constraining) + (r.dof.singular ? " s" : ""), 13) +
             Padded(Three(w.maintaining, w.detaching, w.constraining), 10) +
@@ -107,10 +114,12 @@ std::string TransitionList(const Recognition& recognition) {
 
 ExitStatus RunRecognize(const FileOptions& options) {
   input::InputFile file(options.file);
-  const Recognition recognition = recognition::Recognize(input::ReadDemonstration(file.stream(), file.name()));
+  const Recognition recognition =
+      recognition::Recognize(input::ReadDemonstration(file.stream(), file.name()));
   for (const std::string& note : recognition.notes) std::cerr << "tact: note: " << note << "\n";
   Output output;
-  output << (options.json ? ToJsonLine(recognition) : RelationTable(recognition) + TransitionList(recognition));
+  output << (options.json ? ToJsonLine(recognition)
+                          : RelationTable(recognition) + TransitionList(recognition));
   output.Flush();
   return kAnswered;
 }

@@ -17,8 +17,8 @@ using provers::LedgerEntry;
 // One moving line on a terminal, a line a claim elsewhere; on stderr.
 void ShowProgress(const LedgerEntry& done, size_t count, size_t total) {
   const bool terminal = isatty(STDERR_FILENO) == 1;
-  std::fprintf(stderr, terminal ? "\r\033[K[%zu/%zu] %s: %s" : "[%zu/%zu] %s: %s\n", count, total, done.claim.id.c_str(),
-               ToString(done.outcome.verdict).c_str());
+  std::fprintf(stderr, terminal ? "\r\033[K[%zu/%zu] %s: %s" : "[%zu/%zu] %s: %s\n", count, total,
+               done.claim.id.c_str(), ToString(done.outcome.verdict).c_str());
   if (terminal && count == total) std::fprintf(stderr, "\r\033[K");
   std::fflush(stderr);
 }
@@ -31,8 +31,8 @@ void PrintSummary(const std::vector<LedgerEntry>& entries, const std::string& di
     ++verdicts[ToString(e.outcome.verdict)];
   }
   for (const LedgerEntry& e : entries) {
-    std::printf("%-*s  %-14s %s\n", static_cast<int>(widest), e.claim.id.c_str(), ToString(e.outcome.verdict).c_str(),
-                e.claim.source.c_str());
+    std::printf("%-*s  %-14s %s\n", static_cast<int>(widest), e.claim.id.c_str(),
+                ToString(e.outcome.verdict).c_str(), e.claim.source.c_str());
   }
   std::printf("\n");
   bool first = true;
@@ -40,13 +40,14 @@ void PrintSummary(const std::vector<LedgerEntry>& entries, const std::string& di
     std::printf("%s%d %s", first ? "" : ", ", count, verdict.c_str());
     first = false;
   }
-  std::printf("\nThe report is %s/index.html; tact-check %s checks its certificates.\n", directory.c_str(), directory.c_str());
+  std::printf("\nThe report is %s/index.html; tact-check %s checks its certificates.\n", directory.c_str(),
+              directory.c_str());
 }
 
 }  // namespace
 
 ExitStatus RunVerify(const VerifyOptions& options) {
-  const provers::Effort effort = options.quick ? provers::Effort::kQuick
+  const provers::Effort effort = options.quick  ? provers::Effort::kQuick
                                  : options.full ? provers::Effort::kFull
                                                 : provers::Effort::kStandard;
   provers::CheckReportPlace(options.directory);

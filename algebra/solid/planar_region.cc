@@ -94,7 +94,7 @@ Rational SixfoldVolumeUnder(const PlanarRegion& region) {
 }
 
 Side LocateInPlane(const PlanarRegion& region, const Vector3& point) {
-  const auto [u, v] = region.axes;
+  const int v = region.axes.v;
   bool on_boundary = false;
   bool inside = false;
   ForEachEdge(region, [&](const Vector3& a, const Vector3& b) {

@@ -1,0 +1,13 @@
+/// @file
+/// The files of examples/peg_in_hole, as they are, in the program.
+#pragma once
+
+#include <string_view>
+
+namespace tact::provers {
+
+extern const std::string_view kPegOff;
+extern const std::string_view kSlotOff;
+extern const std::string_view kPegDemonstration;
+
+}  // namespace tact::provers

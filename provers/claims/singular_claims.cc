@@ -1,0 +1,233 @@
+#include "algebra/exact/linear_algebra.h"
+#include "provers/claims/census.h"
+#include "provers/claims/claims.h"
+#include "provers/claims/definitions.h"
+
+namespace tact::provers {
+namespace {
+
+using algebra::ContactRelation;
+using algebra::MotionDof;
+
+// Two parallel convex edges in contact along y, as in Fig. 2.17: the planes are the fixed block's top and side.
+ContactRelation ParallelEdges() {
+  const std::vector<algebra::Vector3> planes = {{0, 0, 1}, {1, 0, 0}};
+  return {{{{0, -1, 0}, planes, "one end of the edge"}, {{0, 1, 0}, planes, "the other end"}}};
+}
+
+size_t WorldSize(Effort effort) {
+  return effort == Effort::kQuick ? 2 : (effort == Effort::kStandard ? 3 : 4);
+}
+
+Outcome TrySingularSums(Effort effort) {
+  const std::string id = "thesis.2.2.2.sums";
+  const std::vector<Assertion> laws = {{{{"translation.maintaining", 1},
+                                         {"translation.detaching", 1},
+                                         {"translation.constraining", 1},
+                                         {"constant", -3}},
+                                        "zero"},
+                                       {{{"rotation.maintaining", 1},
+                                         {"rotation.detaching", 1},
+                                         {"rotation.constraining", 1},
+                                         {"constant", -3}},
+                                        "zero"},
+                                       {{{"translation.detaching", 1}}, "nonnegative"},
+                                       {{{"rotation.detaching", 1}}, "nonnegative"}};
+  const Census census = TakeCensus(enumerators::SingularWorld(WorldSize(effort)));
+  Outcome outcome;
+  outcome.verdict = Verdict::kHoldsTo;
+  for (const Assertion& law : laws) {
+    if (!Violations(census, law).empty()) outcome.verdict = Verdict::kRefuted;
+  }
+  outcome.bound = census.world.sentence;
+  outcome.numbers = {{"relations", static_cast<long long>(census.count)},
+                     {"classes", static_cast<long long>(census.classes.size())}};
+  outcome.certificates = {
+      CensusCertificate(id + ".census", id, census.world.sentence, census.count, census.classes, laws)};
+  outcome.evidence =
+      "The singular DOFs are those of what is left when the singular contacts are taken away (2.8), so they "
+      "add up as any relation's do.";
+  return outcome;
+}
+
+// r against the sum of the singular detaching and constraining DOFs, in translation, rotation and all motion.
+std::vector<Assertion> FootnoteEquations(const std::string& is) {
+  std::vector<Assertion> equations;
+  for (const std::string motion : {"translation", "rotation", "all"}) {
+    equations.push_back(
+        {{{motion + ".restricted", 1}, {motion + ".detaching", -1}, {motion + ".constraining", -1}}, is});
+  }
+  return equations;
+}
+
+Outcome TryFootnoteSingular(Effort effort) {
+  const std::string id = "thesis.2.6.footnote-singular";
+  const Census census = TakeCensus(enumerators::SingularWorld(WorldSize(effort)));
+  const auto equal = FootnoteEquations("zero"), unequal = FootnoteEquations("nonzero");
+  const auto smallest = [&](const auto& wanted) {
+    const CensusClass* found = nullptr;
+    for (const CensusClass& c : census.classes) {
+      if (!c.dof.singular || !wanted(c.dof)) continue;
+      if (found == nullptr || c.witness.contacts.size() < found->witness.contacts.size()) found = &c;
+    }
+    return found;
+  };
+  const CensusClass* differs = smallest([&](const MotionDof& dof) { return Holds(unequal[0], dof); });
+  const CensusClass* agrees = smallest([&](const MotionDof& dof) {
+    return Holds(equal[0], dof) && Holds(equal[1], dof) && Holds(equal[2], dof);
+  });
+  Outcome outcome;
+  if (differs == nullptr || agrees == nullptr) return outcome;
+  outcome.verdict = Verdict::kRefuted;
+  outcome.bound = "smallest counterexample within " + census.world.sentence;
+  outcome.certificates = {MotionDofCertificate(id + ".equal", id, agrees->witness, equal),
+                          MotionDofCertificate(id + ".unequal", id, differs->witness, {unequal[0]})};
+  outcome.tables = {{"Equal in all three motions, and not equal in translation",
+                     DofHeader(),
+                     {DofCells(agrees->dof), DofCells(differs->dof)}}};
+  outcome.evidence = "Read as a statement on every singular relation it fails. Smallest counterexample: " +
+                     Describe(agrees->witness) +
+                     ". The singular contact's planes lie in the span of what the other contacts say "
+                     "already, and the restricted DOFs are the sums "
+                     "after all.\n\n"
+                     "Read as 'not always equal' it is true: " +
+                     Describe(differs->witness) +
+                     " has restricted DOFs without any detaching or constraining one. What does hold is an "
+                     "inequality: the planes of the "
+                     "non-singular contacts are among all planes, so each restricted DOF in translation and "
+                     "in all motion is at least the sum "
+                     "(thesis.2.6.footnote-inequality).";
+  return outcome;
+}
+
+Outcome TryFootnoteInequality(Effort effort) {
+  const std::string id = "thesis.2.6.footnote-inequality";
+  auto laws = FootnoteEquations("nonnegative");
+  const Census census = TakeCensus(enumerators::SingularWorld(WorldSize(effort)));
+  Outcome outcome;
+  outcome.verdict = Verdict::kHoldsTo;
+  outcome.bound = census.world.sentence;
+  for (const Assertion& law : laws) {
+    const auto violations = Violations(census, law);
+    if (violations.empty()) continue;
+    outcome.verdict = Verdict::kRefuted;
+    outcome.evidence += "Counterexample: " + Describe(violations.front().witness) + ".\n\n";
+  }
+  outcome.numbers = {{"relations", static_cast<long long>(census.count)},
+                     {"classes", static_cast<long long>(census.classes.size())}};
+  outcome.certificates = {
+      CensusCertificate(id + ".census", id, census.world.sentence, census.count, census.classes,
+                        outcome.verdict == Verdict::kHoldsTo ? laws : std::vector<Assertion>{})};
+  outcome.evidence +=
+      "In translation and in all motion because fewer planes cannot have more rank. In rotation r_a - r_t is "
+      "the number of axis "
+      "directions that no motion keeping every contact has, and more planes leave no more such motions.";
+  return outcome;
+}
+
+Outcome TryRestrictedRotation(Effort effort) {
+  Outcome outcome =
+      HoldsThroughout(enumerators::SingularWorld(WorldSize(effort)), "thesis.2.6.restricted-rotation",
+                      [](const ContactRelation& relation, const MotionDof& dof) {
+                        const auto motions = NullSpace(LegalRows(relation));
+                        std::vector<algebra::IntegerVector> axes;
+                        for (size_t i = 0; i < motions.rows; ++i) {
+                          const auto v = motions.RowVector(i);
+                          axes.push_back({v[0], v[1], v[2]});
+                        }
+                        const auto kept = Rank(algebra::IntegerMatrix::FromRows(axes, 3));
+                        return dof.rotation.restricted == 3 - static_cast<int>(kept);
+                      });
+  outcome.evidence =
+      "The motions on which every plane of every contact vanishes are computed, their axis directions "
+      "ranked, and the rank is "
+      "held against 3 - r_r." +
+      (outcome.evidence.empty() ? "" : "\n\n" + outcome.evidence);
+  return outcome;
+}
+
+Outcome TryThirdRule(Effort) {
+  const std::string id = "thesis.2.6.third-rule";
+  const ContactRelation relation = ParallelEdges();
+  const MotionDof dof = ComputeMotionDof(relation);
+  // All three translations count as singular maintaining, though only 3 - r_t of them keep the contact.
+  const Assertion overcounts{
+      {{"translation.maintaining", 1}, {"translation.restricted", 1}, {"constant", -3}}, "positive"};
+  Outcome outcome;
+  outcome.verdict = Holds(overcounts, dof) ? Verdict::kProved : Verdict::kRefuted;
+  outcome.bound = "the example of Fig. 2.17";
+  outcome.tables = {{"Parallel edges in contact", DofHeader(), {DofCells(dof)}}};
+  outcome.certificates = {MotionDofCertificate(id + ".figure-2.17", id, relation, {overcounts})};
+  outcome.evidence = "Two parallel edges: " + Describe(relation) +
+                     ". The singular maintaining DOF in translation is three, the restricted DOF two: of the "
+                     "three directions only the one along the "
+                     "edge keeps the contact. A rule that looks at singular maintaining DOFs alone takes all "
+                     "three for sliding.";
+  return outcome;
+}
+
+Outcome TryAccompanied(Effort) {
+  const std::string id = "thesis.2.4.2.accompanied";
+  const ContactRelation nothing;
+  const ContactRelation edges = ParallelEdges();
+  const auto transition = AnalyzeTransition(ComputeMotionDof(nothing), ComputeMotionDof(edges));
+  Outcome outcome;
+  outcome.verdict = Verdict::kRefuted;
+  outcome.bound = "smallest counterexample: from no contact to one singular contact primitive";
+  outcome.certificates = {TransitionsCertificate(id + ".counterexample", id,
+                                                 {{"nothing touches", nothing}, {"parallel edges", edges}},
+                                                 {{0,
+                                                   {{"translation.maintaining", -3},
+                                                    {"translation.singular_maintaining", 3},
+                                                    {"translation.detaching", 0},
+                                                    {"translation.restricted", 2}}}})};
+  std::string skills;
+  for (const auto skill : transition.sub_skills) skills += (skills.empty() ? "" : ", ") + ToString(skill);
+  outcome.numbers = {{"DOF-transitions from detaching", 0}};
+  for (const auto& t : transition.dof_transitions) {
+    outcome.numbers[0].second += t.from == algebra::DofIndex::kDetaching ? 1 : 0;
+  }
+  outcome.evidence =
+      "Bring one edge from free space onto another, parallel one: the maintaining DOF in translation falls "
+      "from 3 to 0, the singular "
+      "maintaining DOF rises from 0 to 3, and no detaching DOF changes, for there was none. The restricted "
+      "DOF rises too, so the rule of 2.6 selects " +
+      skills +
+      " where there is nothing to slide on.\n\n"
+      "Corrected: a singular relation reached from one with contacts loses their detaching DOFs; so the "
+      "statement holds for "
+      "transitions from a non-singular relation whose detaching DOF in translation is not zero, and a slide "
+      "should be selected only there. Reached "
+      "from free space, or from a relation that only constrains, no detaching DOF is lost.";
+  return outcome;
+}
+
+}  // namespace
+
+std::vector<Claim> SingularClaims() {
+  return {
+      {"thesis.2.2.2.sums", "The singular motion DOFs in translation and in rotation each add up to three.",
+       "2.2.2 and 2.3.1", "exhaustive", TrySingularSums},
+      {"thesis.2.4.2.accompanied",
+       "A DOF-transition from maintaining to singular maintaining is always accompanied by one from "
+       "detaching to singular "
+       "maintaining in translation.",
+       "2.4.2", "exhaustive", TryAccompanied},
+      {"thesis.2.6.third-rule",
+       "Selecting a slide whenever a maintaining DOF becomes a singular maintaining one is not correct.",
+       "2.6, Fig. 2.17", "symbolic", TryThirdRule},
+      {"thesis.2.6.restricted-rotation",
+       "The restricted DOF in rotation is r_r = r_a - r_t: the axis directions that no motion keeping the "
+       "contact relation has.",
+       "2.6", "exhaustive", TryRestrictedRotation},
+      {"thesis.2.6.footnote-singular",
+       "In a singular relation a restricted DOF is not equal to the sum of the singular detaching and "
+       "singular constraining DOFs.",
+       "2.6, footnote 1", "exhaustive", TryFootnoteSingular},
+      {"thesis.2.6.footnote-inequality",
+       "In a singular relation a restricted DOF is at least the sum of the singular detaching and singular "
+       "constraining DOFs.",
+       "2.6, footnote 1, corrected", "exhaustive", TryFootnoteInequality}};
+}
+
+}  // namespace tact::provers
