@@ -236,6 +236,21 @@ RC_GTEST_PROP(MotionDofLaw, HugeCoordinatesAndDenominatorsGiveTheDofsOfTheSmallR
   });
 }
 
+// Some of these rows fit in 64 bits, some overflow while they are formed, some in the middle of a run.
+RC_GTEST_PROP(MotionDofLaw, NothingChangesAcrossTheBorderOf64Bits, ()) {
+  ForSomeRelations(8, [](const ContactRelation& relation) {
+    const auto large = [] {
+      const int bits = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(1, 45));
+      return Rational(Integer((int64_t{1} << bits) + *rc::gen::inRange(-1, 2)));
+    };
+    ContactRelation grown =
+        Moved(relation, {Rotation::FromQuaternion(1, 2, *Small(5), *Small(5)), {large(), large(), large()}});
+    const Rational scale = large();
+    for (Contact& contact : grown.contacts) contact.point = scale * contact.point;
+    RC_ASSERT(ComputeMotionDof(grown) == ComputeMotionDof(relation));
+  });
+}
+
 TEST(MotionDof, CoordinatesNearTwoToTheFortyOverflowOnTheWayAndStayRight) {
   const Rational s(Integer(1099511627776L - 87));
   ContactRelation small{{At({1, 0, 0}, -kX + kY), At({0, 1, 0}, -kY + kZ), At({-1, -1, 1}, kX + kY),
