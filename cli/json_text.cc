@@ -49,9 +49,10 @@ std::string JsonString(const std::string& text) {
 }
 
 std::string ToJson(const algebra::Rational& value) {
-  constexpr size_t kDoubleBits = 53;
-  const std::string text = value.ToString();
-  return value.is_integer() && value.numerator().bits() <= kDoubleBits ? text : "\"" + text + "\"";
+  const std::string text = value.ToDecimal();
+  // Readers that take numbers for doubles keep 15 digits.
+  constexpr size_t kLongestNumber = 16;
+  return text.size() <= kLongestNumber && text.find('/') == std::string::npos ? text : "\"" + value.ToString() + "\"";
 }
 
 std::string ToJson(const algebra::Vector3& v) {
