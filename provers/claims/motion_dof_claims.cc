@@ -76,10 +76,18 @@ Outcome TrySums(Effort effort) {
 
 Outcome TryProjection(const std::string& id, Effort effort, const std::string& prose,
                       const std::function<bool(const Definitions&, const MotionDof&)>& law) {
-  Outcome outcome = HoldsThroughout(enumerators::AxisWorld(ProjectionSize(effort)), id,
-                                    [&](const ContactRelation& relation, const MotionDof& dof) {
-                                      return law(ByDefinition(relation), dof);
-                                    });
+  const auto statement = [&](const ContactRelation& relation, const MotionDof& dof) {
+    return law(ByDefinition(relation), dof);
+  };
+  Outcome outcome = HoldsThroughout(enumerators::AxisWorld(ProjectionSize(effort)), id, statement);
+  if (outcome.verdict == Verdict::kHoldsTo) {
+    // Skew normals meet in other ways than square ones.
+    Outcome skew =
+        HoldsThroughout(enumerators::DiagonalWorld(effort == Effort::kQuick ? 1 : 2), id, statement);
+    skew.bound = outcome.bound + "; " + skew.bound;
+    skew.numbers[0].second += outcome.numbers[0].second;
+    outcome = std::move(skew);
+  }
   outcome.evidence = prose + (outcome.evidence.empty() ? "" : "\n\n" + outcome.evidence);
   return outcome;
 }
