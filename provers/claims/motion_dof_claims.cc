@@ -44,7 +44,7 @@ Outcome TryLaws(const std::string& id, const std::vector<Assertion>& laws, Effor
     outcome.evidence += "\n\nSmallest counterexample: " + Describe(violations.front().witness) + ".";
   }
   outcome.certificates.push_back(
-      CensusCertificate(id + ".census", id, census.world.sentence, census.count, census.classes,
+      CensusCertificate(id + ".census", id, census.world, census.classes,
                         outcome.verdict == Verdict::kHoldsTo ? laws : std::vector<Assertion>{}));
   return outcome;
 }

@@ -42,8 +42,7 @@ Outcome TrySingularSums(Effort effort) {
   outcome.bound = census.world.sentence;
   outcome.numbers = {{"relations", static_cast<long long>(census.count)},
                      {"classes", static_cast<long long>(census.classes.size())}};
-  outcome.certificates = {
-      CensusCertificate(id + ".census", id, census.world.sentence, census.count, census.classes, laws)};
+  outcome.certificates = {CensusCertificate(id + ".census", id, census.world, census.classes, laws)};
   outcome.evidence =
       "The singular DOFs are those of what is left when the singular contacts are taken away (2.8), so they "
       "add up as any relation's do.";
@@ -116,7 +115,7 @@ Outcome TryFootnoteInequality(Effort effort) {
   outcome.numbers = {{"relations", static_cast<long long>(census.count)},
                      {"classes", static_cast<long long>(census.classes.size())}};
   outcome.certificates = {
-      CensusCertificate(id + ".census", id, census.world.sentence, census.count, census.classes,
+      CensusCertificate(id + ".census", id, census.world, census.classes,
                         outcome.verdict == Verdict::kHoldsTo ? laws : std::vector<Assertion>{})};
   outcome.evidence +=
       "In translation and in all motion because fewer planes cannot have more rank. In rotation r_a - r_t is "
