@@ -31,8 +31,8 @@ std::string ToList(const algebra::FoundContacts& found, const std::string& unit)
   return text + "\n" + DofTable(ComputeMotionDof(found.relation));
 }
 
-void Draw(const recognition::ModelPair& models, const algebra::Pose& X_FM, const algebra::ContactRelation& relation,
-          const std::string& path) {
+void Draw(const recognition::ModelPair& models, const algebra::Pose& X_FM,
+          const algebra::ContactRelation& relation, const std::string& path) {
   const std::vector<provers::DrawnSolid> solids = {{models.fixed, provers::Part::kFixed},
                                                    {Transform(models.moving, X_FM), provers::Part::kMoving}};
   std::ofstream file(path);
