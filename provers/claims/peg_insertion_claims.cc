@@ -232,7 +232,8 @@ std::vector<Claim> PegInsertionClaims() {
 
 std::vector<Claim> AllClaims() {
   std::vector<Claim> all;
-  for (auto part : {DisplacementClaims(), MotionDofClaims(), SingularClaims(), PegInsertionClaims()}) {
+  for (auto part : {DisplacementClaims(), PropositionClaims(), MotionDofClaims(), SingularClaims(),
+                    PegInsertionClaims()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;

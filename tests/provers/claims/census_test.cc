@@ -16,6 +16,15 @@ using algebra::MotionDof;
 using enumerators::AxisWorld;
 using enumerators::SingularWorld;
 
+// What a refuted outcome shows: its certificate's relation, which the checker accepts.
+nlohmann::json Counterexample(const Outcome& outcome) {
+  EXPECT_EQ(outcome.verdict, Verdict::kRefuted);
+  if (outcome.certificates.size() != 1) return nullptr;
+  const check::Answer answer = check::CheckCertificate(outcome.certificates[0].json);
+  EXPECT_TRUE(answer.accepted) << answer.why;
+  return nlohmann::json::parse(outcome.certificates[0].json)["relation"]["contacts"];
+}
+
 TEST(Census, TheClassesHaveAllMembersOfTheWorldBetweenThem) {
   for (const auto& world : {AxisWorld(0), AxisWorld(2), SingularWorld(2), enumerators::DiagonalWorld(1)}) {
     const Census census = TakeCensus(world);
@@ -47,22 +56,34 @@ TEST(Census, OneContactLeavesThreeClassesOfRelationsByHand) {
   EXPECT_EQ(census.classes[0].count + census.classes[1].count + census.classes[2].count, 1u + 18 + 48);
 }
 
-TEST(Census, ViolationsAreTheClassesWhereTheAssertionFails) {
+TEST(Census, TheSmallestClassHasTheFewestContactsOfThoseWithTheProperty) {
   const Census census = TakeCensus(AxisWorld(2));
-  const Assertion never{{{"constant", 1}}, "zero"}, always{{{"constant", 1}}, "positive"},
-      free{{{"all.maintaining", 1}, {"constant", -6}}, "zero"};
-  EXPECT_EQ(Violations(census, never).size(), census.classes.size());
-  EXPECT_TRUE(Violations(census, always).empty());
-  EXPECT_EQ(Violations(census, free).size(), census.classes.size() - 1);
+  const auto fewest = [&](const std::function<bool(const MotionDof&)>& property) {
+    const CensusClass* found = SmallestClass(census, property);
+    return found == nullptr ? -1 : static_cast<int>(found->witness.contacts.size());
+  };
+  EXPECT_EQ(fewest([](const MotionDof&) { return true; }), 0);
+  EXPECT_EQ(fewest([](const MotionDof& dof) { return dof.translation.detaching > 0; }), 1);
+  EXPECT_EQ(fewest([](const MotionDof& dof) { return dof.rotation.detaching > 0; }), 2);
+  EXPECT_EQ(fewest([](const MotionDof& dof) { return dof.all.constraining > 1; }), -1)
+      << "needs three contacts";
 }
 
-// What a refuted outcome shows: its certificate's relation, which the checker accepts.
-nlohmann::json Counterexample(const Outcome& outcome) {
-  EXPECT_EQ(outcome.verdict, Verdict::kRefuted);
-  if (outcome.certificates.size() != 1) return nullptr;
-  const check::Answer answer = check::CheckCertificate(outcome.certificates[0].json);
+TEST(LawsHoldThroughout, AWrongLawIsRefutedByItsSmallestCounterexampleARightOneHasACensus) {
+  const Assertion right{{{"translation.maintaining", 1},
+                         {"translation.detaching", 1},
+                         {"translation.constraining", 1},
+                         {"constant", -3}},
+                        "zero"};
+  // True of a free object and of one contact; two opposed ones constrain.
+  const Assertion wrong{{{"translation.constraining", 1}}, "zero"};
+  const Outcome holds = LawsHoldThroughout(AxisWorld(2), "test", {right}, "");
+  EXPECT_EQ(holds.verdict, Verdict::kHoldsTo);
+  ASSERT_EQ(holds.certificates.size(), 1u);
+  const check::Answer answer = check::CheckCertificate(holds.certificates[0].json);
   EXPECT_TRUE(answer.accepted) << answer.why;
-  return nlohmann::json::parse(outcome.certificates[0].json)["relation"]["contacts"];
+  EXPECT_EQ(answer.not_recounted, "");
+  EXPECT_EQ(Counterexample(LawsHoldThroughout(AxisWorld(2), "test", {right, wrong}, "")).size(), 2u);
 }
 
 TEST(HoldsThroughout, ARightFormulaHoldsOnEveryRelation) {

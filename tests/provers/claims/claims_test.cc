@@ -31,6 +31,9 @@ const std::map<std::string, Expected>& ExpectedVerdicts() {
       {"thesis.2.1.singular-edges",
        {kRefuted,
         "a union of half-spaces is not convex: legal by one plane at one end, by the other at the other"}},
+      {"thesis.2.1.singular-edges-corrected",
+       {kHoldsTo,
+        "Farkas: one plane between the two serves both ends, or some point between goes against both"}},
       {"thesis.2.2.1.proposition-1", {kHoldsTo, "the span of a projected cone is the projected span"}},
       {"thesis.2.2.1.proposition-2",
        {kHoldsTo, "m_r + d_r = dim V_r, read as dimensions one modulo the other"}},
@@ -72,7 +75,10 @@ TEST(Claims, EachComesOutAsItMustAndNoneIsUndecided) {
   for (const LedgerEntry& entry : QuickLedger()) {
     tried.insert(entry.claim.id);
     const auto expected = ExpectedVerdicts().find(entry.claim.id);
-    ASSERT_NE(expected, ExpectedVerdicts().end()) << "say here what must come out of " << entry.claim.id;
+    if (expected == ExpectedVerdicts().end()) {
+      ADD_FAILURE() << "say in the table what must come out of " << entry.claim.id;
+      continue;
+    }
     EXPECT_EQ(ToString(entry.outcome.verdict), ToString(expected->second.verdict))
         << entry.claim.id << ": " << expected->second.why << "\n"
         << entry.outcome.evidence;
