@@ -19,7 +19,7 @@ namespace tact::check {
 
 inline constexpr std::size_t kMaxGeneratorLargest = 64;
 inline constexpr std::size_t kMaxRecount = 500000;    // multisets
-inline constexpr std::size_t kMaxRecountLargest = 8;  // contacts in a multiset
+inline constexpr std::size_t kMaxRecountLargest = 5;  // contacts in a multiset
 inline constexpr std::size_t kMaxRecountPlanes = 8;   // planes of a contact
 
 /// How many multisets of at most `largest` of so many contacts there are.

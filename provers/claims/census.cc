@@ -121,7 +121,13 @@ std::vector<std::string> DofCells(const MotionDof& dof) {
 }
 
 std::vector<std::string> DofHeader() {
-  return {"", "translation m d c", "rotation m d c", "Type I / II", "all motion m d c", "restricted t r a"};
+  // The letters of a heading stay together where it is broken.
+  return {"",
+          "translation m\u00a0d\u00a0c",
+          "rotation m\u00a0d\u00a0c",
+          "Type I\u00a0/\u00a0II",
+          "all motion m\u00a0d\u00a0c",
+          "restricted t\u00a0r\u00a0a"};
 }
 
 }  // namespace tact::provers
