@@ -6,8 +6,8 @@
 
 #include "algebra/contact/separate_planes.h"
 #include "algebra/error.h"
-#include "algebra/solid/bounding_box.h"
 #include "algebra/solid/distance.h"
+#include "algebra/solid/point_locator.h"
 
 namespace tact::algebra {
 namespace {
@@ -16,15 +16,12 @@ namespace {
 class Body {
  public:
   explicit Body(const Polyhedron& polyhedron) : solid(polyhedron) {
-    for (const Vertex& v : solid.vertices) vertex_boxes.emplace_back().Add(v.point);
+    for (const Vertex& v : solid.vertices) vertex_boxes.push_back(BoxOf(v.point));
     for (const Edge& e : solid.edges) {
       edge_boxes.push_back(vertex_boxes[e.tail]);
       edge_boxes.back().Add(vertex_boxes[e.head]);
     }
-    for (const Face& f : solid.faces) {
-      face_boxes.emplace_back();
-      for (const size_t v : f.loops[0]) face_boxes.back().Add(vertex_boxes[v]);
-    }
+    face_boxes = FaceBoxes(solid);
   }
 
   const Vector3& point(size_t v) const { return solid.vertices[v].point; }
@@ -157,13 +154,14 @@ class Finder {
   // Solids that overlap with every vertex and edge on the other's surface: look between the corners.
   Penetration DeepestMidpoint() const {
     Penetration deepest{corners_.front(), Rational(0)};
-    const SurfaceDistance moving_surface(moving_.solid), fixed_surface(fixed_.solid);
+    const PointLocator in_moving(moving_.solid), in_fixed(fixed_.solid);
     for (size_t i = 0; i < corners_.size(); ++i) {
       for (size_t j = i + 1; j < corners_.size(); ++j) {
         const Vector3 middle = Rational(1, 2) * (corners_[i] + corners_[j]);
-        if (Locate(moving_.solid, middle) != Side::kInside || Locate(fixed_.solid, middle) != Side::kInside)
-          continue;
-        const Rational depth = std::min(moving_surface.Squared(middle), fixed_surface.Squared(middle));
+        if (in_moving.Locate(middle) != Side::kInside || in_fixed.Locate(middle) != Side::kInside) continue;
+        const Rational& known = deepest.squared_depth;
+        const Rational depth = std::min(in_moving.SquaredDistanceToSurface(middle, known),
+                                        in_fixed.SquaredDistanceToSurface(middle, known));
         if (depth > deepest.squared_depth) deepest = {middle, depth};
       }
     }

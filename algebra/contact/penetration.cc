@@ -3,15 +3,10 @@
 #include "algebra/contact/contact_finder.h"
 #include "algebra/solid/bounding_box.h"
 #include "algebra/solid/distance.h"
+#include "algebra/solid/point_locator.h"
 
 namespace tact::algebra {
 namespace {
-
-BoundingBox BoxOf(const Polyhedron& solid) {
-  BoundingBox box;
-  for (const Vertex& v : solid.vertices) box.Add(v.point);
-  return box;
-}
 
 // Looks for points of one solid's skeleton deep inside the other.
 class Search {
@@ -20,43 +15,36 @@ class Search {
 
   void Skeleton(const Polyhedron& skeleton, const Polyhedron& solid) {
     const BoundingBox whole = BoxOf(solid);
-    const SurfaceDistance surface(solid);
-    std::vector<BoundingBox> face_boxes;
-    for (const Face& face : solid.faces) {
-      face_boxes.emplace_back();
-      for (const size_t v : face.loops[0]) face_boxes.back().Add(solid.vertices[v].point);
-    }
+    const PointLocator locator(solid);
+    const std::vector<BoundingBox> face_boxes = FaceBoxes(solid);
     for (const Vertex& v : skeleton.vertices) {
-      BoundingBox box;
-      box.Add(v.point);
-      if (box.Near(whole, 0)) Look(solid, surface, v.point);
+      if (BoxOf(v.point).Overlaps(whole)) Look(locator, v.point);
     }
     for (const Edge& edge : skeleton.edges) {
       const Vector3 &a = skeleton.vertices[edge.tail].point, &b = skeleton.vertices[edge.head].point;
-      BoundingBox box;
-      box.Add(a);
+      BoundingBox box = BoxOf(a);
       box.Add(b);
-      if (box.Near(whole, 0)) LookAlong(solid, surface, face_boxes, box, a, b);
+      if (box.Overlaps(whole)) LookAlong(solid, locator, face_boxes, box, a, b);
     }
   }
 
   const std::optional<Penetration>& deepest() const { return deepest_; }
 
  private:
-  void Look(const Polyhedron& solid, const SurfaceDistance& surface, const Vector3& p) {
-    if (Locate(solid, p) != Side::kInside) return;
-    const Rational depth = surface.Squared(p);
-    if (depth <= squared_tolerance_ || (deepest_ && depth <= deepest_->squared_depth)) return;
-    deepest_ = Penetration{p, depth};
+  void Look(const PointLocator& locator, const Vector3& p) {
+    if (locator.Locate(p) != Side::kInside) return;
+    const Rational& known = deepest_ ? deepest_->squared_depth : squared_tolerance_;
+    const Rational depth = locator.SquaredDistanceToSurface(p, known);
+    if (depth > known) deepest_ = Penetration{p, depth};
   }
 
   // Between two points where the edge meets the surface it is inside, outside, or on it all along.
-  void LookAlong(const Polyhedron& solid, const SurfaceDistance& surface,
+  void LookAlong(const Polyhedron& solid, const PointLocator& locator,
                  const std::vector<BoundingBox>& face_boxes, const BoundingBox& box, const Vector3& a,
                  const Vector3& b) {
     std::vector<Rational> cuts = {0, 1};
     for (size_t f = 0; f < solid.faces.size(); ++f) {
-      if (!box.Near(face_boxes[f], 0)) continue;
+      if (!box.Overlaps(face_boxes[f])) continue;
       const Face& face = solid.faces[f];
       const Rational at_a = Dot(face.normal, a) - face.offset, at_b = Dot(face.normal, b) - face.offset;
       if (at_a.sign() * at_b.sign() >= 0) continue;
@@ -65,8 +53,7 @@ class Search {
     }
     std::sort(cuts.begin(), cuts.end());
     for (size_t i = 0; i + 1 < cuts.size(); ++i) {
-      if (cuts[i] != cuts[i + 1])
-        Look(solid, surface, a + (Rational(1, 2) * (cuts[i] + cuts[i + 1])) * (b - a));
+      if (cuts[i] != cuts[i + 1]) Look(locator, a + (Rational(1, 2) * (cuts[i] + cuts[i + 1])) * (b - a));
     }
   }
 

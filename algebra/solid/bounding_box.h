@@ -1,54 +1,31 @@
 /// @file
-/// Boxes that surely hold exact points: for culling only, never for a decision.
+/// Boxes along the axes that surely hold exact points: for leaving out what is too far, never for a decision.
+/// Model   bounds in doubles, rounded outwards.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 
-#include "algebra/screw/vector3.h"
+#include "algebra/solid/polyhedron.h"
 
 namespace tact::algebra {
 
 struct BoundingBox {
-  std::array<double, 3> low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
-  std::array<double, 3> high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+  std::array<double, 3> low, high;
 
-  /// Grows by the point, rounded outward (ToDouble errs by one unit in the last place at most).
-  void Add(const Vector3& point) {
-    for (int i = 0; i < 3; ++i) {
-      const double x = ToDouble(point[i]);
-      const double slack =
-          4 * std::numeric_limits<double>::epsilon() * std::abs(x) + std::numeric_limits<double>::min();
-      low[i] = std::min(low[i], x - slack);
-      high[i] = std::max(high[i], x + slack);
-    }
-  }
-  void Add(const BoundingBox& other) {
-    for (int i = 0; i < 3; ++i) {
-      low[i] = std::min(low[i], other.low[i]);
-      high[i] = std::max(high[i], other.high[i]);
-    }
-  }
-  /// At most the squared distance of the point to the box.
-  double SquaredDistanceBelow(const Vector3& point) const {
-    BoundingBox box;
-    box.Add(point);
-    double sum = 0;
-    for (int i = 0; i < 3; ++i) {
-      const double gap = std::max({0.0, low[i] - box.high[i], box.low[i] - high[i]});
-      sum += gap * gap;
-    }
-    return sum * (1 - 1e-9);
-  }
-  /// Whether some point of this box is within the distance of some point of the other along every axis.
-  bool Near(const BoundingBox& other, double distance) const {
-    for (int i = 0; i < 3; ++i) {
-      if (low[i] > other.high[i] + distance || other.low[i] > high[i] + distance) return false;
-    }
-    return true;
-  }
+  /// Holds nothing.
+  BoundingBox();
+  void Add(const Vector3& point);
+  void Add(const BoundingBox& other);
+  bool Overlaps(const BoundingBox& other) const { return Near(other, 0); }
+  /// Whether some point of this box may be within the distance of some point of the other along every axis.
+  bool Near(const BoundingBox& other, double distance) const;
+  /// At most the squared distance between points of the two boxes.
+  double SquaredDistanceBelow(const BoundingBox& other) const;
 };
+
+BoundingBox BoxOf(const Vector3& point);
+BoundingBox BoxOf(const Polyhedron& solid);
+/// Of each face.
+std::vector<BoundingBox> FaceBoxes(const Polyhedron& solid);
 
 }  // namespace tact::algebra

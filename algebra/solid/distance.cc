@@ -2,21 +2,14 @@
 
 #include <algorithm>
 
+#include "algebra/solid/planar_region.h"
+
 namespace tact::algebra {
 namespace {
 
 Rational Clamp(const Rational& t) { return std::clamp(t, Rational(0), Rational(1)); }
 
 SegmentPoint At(const Vector3& a, const Vector3& b, const Rational& t) { return {a + t * (b - a), t}; }
-
-// The coordinate to leave out so that the plane with this normal projects one to one.
-int DroppedAxis(const Vector3& normal) {
-  int axis = 0;
-  for (int i = 1; i < 3; ++i) {
-    if (Abs(normal[i]) > Abs(normal[axis])) axis = i;
-  }
-  return axis;
-}
 
 }  // namespace
 
@@ -40,20 +33,7 @@ Vector3 ProjectOntoPlane(const Vector3& p, const Face& face) {
 }
 
 bool FaceContains(const Polyhedron& solid, const Face& face, const Vector3& point) {
-  const int dropped = DroppedAxis(face.normal);
-  const int x = (dropped + 1) % 3, y = (dropped + 2) % 3;
-  bool inside = false;
-  for (const auto& loop : face.loops) {
-    for (size_t i = 0; i < loop.size(); ++i) {
-      const Vector3& a = solid.vertices[loop[i]].point;
-      const Vector3& b = solid.vertices[loop[(i + 1) % loop.size()]].point;
-      const Rational turn = (b[x] - a[x]) * (point[y] - a[y]) - (b[y] - a[y]) * (point[x] - a[x]);
-      if (turn.sign() == 0 && Dot(point - a, point - b).sign() <= 0) return true;
-      if ((a[y] > point[y]) == (b[y] > point[y])) continue;
-      if ((turn.sign() > 0) == (b[y] > a[y])) inside = !inside;
-    }
-  }
-  return inside;
+  return LocateInPlane(RegionOf(solid, face), point) != Side::kOutside;
 }
 
 Rational SquaredDistance(const Vector3& a, const Vector3& b) { return Dot(a - b, a - b); }
@@ -69,27 +49,6 @@ Rational SquaredDistanceToFace(const Polyhedron& solid, const Face& face, const 
       const Vector3& b = solid.vertices[loop[(i + 1) % loop.size()]].point;
       least = std::min(least, SquaredDistance(point, NearestOnSegment(point, a, b).point));
     }
-  }
-  return least;
-}
-
-SurfaceDistance::SurfaceDistance(const Polyhedron& solid) : solid_(solid) {
-  for (const Face& face : solid.faces) {
-    boxes_.emplace_back();
-    for (const size_t v : face.loops[0]) boxes_.back().Add(solid.vertices[v].point);
-  }
-}
-
-Rational SurfaceDistance::Squared(const Vector3& point) const {
-  // The face with the nearest box goes first; it rules most of the others out.
-  std::vector<double> bounds;
-  for (const BoundingBox& box : boxes_) bounds.push_back(box.SquaredDistanceBelow(point));
-  const size_t first = static_cast<size_t>(std::min_element(bounds.begin(), bounds.end()) - bounds.begin());
-  Rational least = SquaredDistanceToFace(solid_, solid_.faces[first], point);
-  for (size_t f = 0; f < bounds.size(); ++f) {
-    if (f == first || bounds[f] > ToDouble(least) * (1 + 1e-9)) continue;
-    const Rational d = SquaredDistanceToFace(solid_, solid_.faces[f], point);
-    if (d < least) least = d;
   }
   return least;
 }

@@ -4,7 +4,6 @@
 /// Units   the coordinates' length unit, squared for distances.
 #pragma once
 
-#include "algebra/solid/bounding_box.h"
 #include "algebra/solid/polyhedron.h"
 
 namespace tact::algebra {
@@ -25,22 +24,10 @@ SegmentPair NearestOnSegments(const Vector3& a, const Vector3& b, const Vector3&
 /// The projection of p onto the face's plane.
 Vector3 ProjectOntoPlane(const Vector3& p, const Face& face);
 
-/// Whether a point of the face's plane lies in the face, its boundary counted in. Exact crossing parity.
+/// Whether a point of the face's plane lies in the face, its boundary counted in.
 bool FaceContains(const Polyhedron& solid, const Face& face, const Vector3& point);
 
 Rational SquaredDistance(const Vector3& a, const Vector3& b);
 Rational SquaredDistanceToFace(const Polyhedron& solid, const Face& face, const Vector3& point);
-
-/// Distances to a solid's surface, many of them: faces whose box is too far are not looked at. Keeps a reference to the solid.
-class SurfaceDistance {
- public:
-  explicit SurfaceDistance(const Polyhedron& solid);
-  /// Squared, to the nearest face.
-  Rational Squared(const Vector3& point) const;
-
- private:
-  const Polyhedron& solid_;
-  std::vector<BoundingBox> boxes_;
-};
 
 }  // namespace tact::algebra

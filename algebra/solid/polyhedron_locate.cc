@@ -1,6 +1,10 @@
 // Where a point lies: winding number along a ray, and the faces around the point if it is on some.
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
+#include "algebra/solid/distance.h"
+#include "algebra/solid/point_locator.h"
 #include "algebra/solid/soup_mesh.h"
 
 namespace tact::algebra {
@@ -110,22 +114,73 @@ int Winding(const Polyhedron& solid, const Vector3& point, const std::vector<boo
   return winding;
 }
 
-Side Locate(const Polyhedron& solid, const Vector3& point) {
-  std::vector<PlanarRegion> holding;
+PointLocator::PointLocator(const Polyhedron& solid) : solid_(solid), boxes_(FaceBoxes(solid)) {
   for (const Face& face : solid.faces) {
-    if (Dot(face.normal, point) != face.offset) continue;
-    PlanarRegion region = RegionOf(solid, face);
-    if (LocateInPlane(region, point) != Side::kOutside) holding.push_back(std::move(region));
+    std::array<double, 3> n = ToDouble(face.normal);
+    const double length = std::hypot(n[0], n[1], n[2]);
+    for (double& x : n) x /= length;
+    planes_.push_back({n, ToDouble(face.offset) / length});
   }
-  if (holding.empty()) {
-    const int winding = Winding(solid, point, std::vector<bool>(solid.shells, true));
-    return winding > 0 ? Side::kInside : Side::kOutside;
+}
+
+// The larger of the distances to the face's box and to its plane, less what doubles may err.
+double PointLocator::SquaredDistanceBelow(size_t face, const BoundingBox& here) const {
+  constexpr double kError =
+      1e-12;  // of the largest term; four products and divisions err by less than 1e-15 each
+  const Plane& plane = planes_[face];
+  double height = -plane.offset, largest = std::abs(plane.offset);
+  for (size_t i = 0; i < 3; ++i) {
+    const double term = plane.normal[i] * here.low[i];
+    height += term;
+    largest = std::max(largest, std::abs(here.low[i]));
   }
+  const double distance = std::max(0.0, std::abs(height) - kError * largest);
+  return std::max(here.SquaredDistanceBelow(boxes_[face]), distance * distance * (1 - 1e-9));
+}
+
+Side PointLocator::Locate(const Vector3& point) const {
+  const BoundingBox here = BoxOf(point);
+  BoundingBox ray = here;
+  ray.high[0] = std::numeric_limits<double>::infinity();
+  std::vector<PlanarRegion> holding;
+  int winding = 0;
+  for (size_t f = 0; f < boxes_.size(); ++f) {
+    if (!ray.Overlaps(boxes_[f])) continue;
+    const Face& face = solid_.faces[f];
+    if (here.Overlaps(boxes_[f]) && Dot(face.normal, point) == face.offset) {
+      PlanarRegion region = RegionOf(solid_, face);
+      if (LocateInPlane(region, point) != Side::kOutside) holding.push_back(std::move(region));
+    }
+    if (holding.empty()) winding += Crossing(solid_, face, point);
+  }
+  if (holding.empty()) return winding > 0 ? Side::kInside : Side::kOutside;
   std::vector<Sector> sectors;
   for (const PlanarRegion& region : holding) {
     for (Sector& sector : SectorsAt(region, point)) sectors.push_back(std::move(sector));
   }
   return IsCovered(sectors) ? Side::kInside : Side::kOnBoundary;
 }
+
+Rational PointLocator::SquaredDistanceToSurface(const Vector3& point, const Rational& enough) const {
+  // The face with the nearest box goes first; it rules most of the others out.
+  const BoundingBox here = BoxOf(point);
+  std::vector<double> bounds;
+  for (size_t f = 0; f < boxes_.size(); ++f) bounds.push_back(SquaredDistanceBelow(f, here));
+  const size_t first = static_cast<size_t>(std::min_element(bounds.begin(), bounds.end()) - bounds.begin());
+  Rational least = SquaredDistanceToFace(solid_, solid_.faces[first], point);
+  // Above any double that the exact value may round to.
+  constexpr double kSafety = 1 + 1e-9;
+  double limit = ToDouble(least) * kSafety;
+  for (size_t f = 0; f < bounds.size() && least > enough; ++f) {
+    if (f == first || bounds[f] > limit) continue;
+    const Rational d = SquaredDistanceToFace(solid_, solid_.faces[f], point);
+    if (d >= least) continue;
+    least = d;
+    limit = ToDouble(least) * kSafety;
+  }
+  return least;
+}
+
+Side Locate(const Polyhedron& solid, const Vector3& point) { return PointLocator(solid).Locate(point); }
 
 }  // namespace tact::algebra

@@ -46,18 +46,18 @@ void RefuseSelfIntersections(const SoupMesh& mesh) {
   for (const Vector3& point : mesh.points) rounded_points.push_back(ToDouble(point));
   std::vector<RoundedPlane> rounded_planes;
   std::vector<PlanarRegion> regions;
-  std::vector<Box> polygon_boxes(mesh.normals.size());
+  std::vector<BoundingBox> polygon_boxes(mesh.normals.size());
   for (size_t i = 0; i < mesh.normals.size(); ++i) {
     regions.push_back(mesh.Region(i));
     rounded_planes.emplace_back(mesh.normals[i], mesh.offsets[i]);
     for (const Vector3* corner : regions[i].loops[0]) polygon_boxes[i].Add(*corner);
   }
   std::vector<size_t> edges;
-  std::vector<Box> edge_boxes;
+  std::vector<BoundingBox> edge_boxes;
   for (size_t h = 0; h < mesh.half_edges.size(); ++h) {
     if (mesh.half_edges[h].twin < h) continue;
     edges.push_back(h);
-    Box& box = edge_boxes.emplace_back();
+    BoundingBox& box = edge_boxes.emplace_back();
     box.Add(mesh.points[mesh.half_edges[h].tail]);
     box.Add(mesh.points[mesh.half_edges[h].head]);
   }

@@ -49,7 +49,7 @@ class ShellCheck {
   }
 
   void FindContacts() {
-    std::vector<Box> edge_boxes;
+    std::vector<BoundingBox> edge_boxes;
     for (const Edge& edge : solid_.edges) {
       edge_boxes.emplace_back().Add(Point(edge.tail));
       edge_boxes.back().Add(Point(edge.head));
@@ -195,7 +195,7 @@ class ShellCheck {
   // How the shells that do not touch this one wind around it; a cavity touched from within counts too.
   void CheckNesting(size_t shell) const {
     const Vector3& point = Point(solid_.faces[first_face_[shell]].loops[0][0]);
-    Box point_box;
+    BoundingBox point_box;
     point_box.Add(point);
     std::vector<bool> counts(solid_.shells);
     int winding = 0;
@@ -240,7 +240,7 @@ class ShellCheck {
   const MergedFaces& merged_;
   const Polyhedron& solid_;
   std::vector<PlanarRegion> regions_;  // of each face
-  std::vector<Box> face_boxes_, shell_boxes_;
+  std::vector<BoundingBox> face_boxes_, shell_boxes_;
   std::vector<size_t> first_face_;  // of each shell
   std::vector<bool> is_cavity_;     // of each shell: negative volume
   Contacts contacts_;
