@@ -31,7 +31,14 @@ class Body {
   const Vector3& tail(size_t e) const { return point(solid.edges[e].tail); }
   const Vector3& head(size_t e) const { return point(solid.edges[e].head); }
 
-  const std::vector<ConvexPiece>& Pieces(const Element& element) {
+  // The pieces at the element's point nearest to p: those of the union where shells touch.
+  const std::vector<ConvexPiece>& Pieces(const Element& element, const Vector3& p) {
+    if (solid.shells > 1) {
+      const Vector3 nearest = Nearest(element, p);
+      const auto [at, fresh] = shared_pieces_.try_emplace(nearest);
+      if (fresh && ElementsAt(solid, nearest).size() > 1) at->second = LocalPieces(solid, nearest);
+      if (!at->second.empty()) return at->second;
+    }
     const auto [at, fresh] = pieces_.try_emplace(element);
     if (fresh) at->second = LocalPieces(solid, element);
     return at->second;
@@ -41,7 +48,14 @@ class Body {
   std::vector<BoundingBox> vertex_boxes, edge_boxes, face_boxes;
 
  private:
+  Vector3 Nearest(const Element& element, const Vector3& p) const {
+    if (element.kind == ElementKind::kVertex) return point(element.index);
+    if (element.kind == ElementKind::kFace) return ProjectOntoPlane(p, solid.faces[element.index]);
+    return NearestOnSegment(p, tail(element.index), head(element.index)).point;
+  }
+
   std::map<Element, std::vector<ConvexPiece>> pieces_;
+  std::map<Vector3, std::vector<ConvexPiece>> shared_pieces_;  // empty: the point is one element's alone
 };
 
 class Finder {
@@ -141,8 +155,8 @@ class Finder {
 
   void Add(const Vector3& point, const Element& moving, const Element& fixed) {
     corners_.push_back(point);
-    for (const ConvexPiece& m : moving_.Pieces(moving)) {
-      for (const ConvexPiece& f : fixed_.Pieces(fixed)) {
+    for (const ConvexPiece& m : moving_.Pieces(moving, point)) {
+      for (const ConvexPiece& f : fixed_.Pieces(fixed, point)) {
         std::vector<Vector3> planes = SeparatePlanes(m, f, tolerance_);
         if (planes.empty()) {
           overlaps_ = overlaps_ || tolerance_.sign() == 0;

@@ -26,7 +26,7 @@ struct Element {
 /// "vertex 3".
 std::string ToString(const Element& element);
 
-/// A convex cone in both forms. Every normal is a facet's; a half-space has one, a wedge two.
+/// A convex cone in both forms. Every normal is a facet's; a half-space has one, a wedge two, all of space none.
 struct ConvexPiece {
   std::vector<Vector3> normals;
   /// Generate the cone; both signs of a direction if it holds a line. Lengths are the solid's own.
@@ -36,5 +36,16 @@ struct ConvexPiece {
 /// The pieces of the solid's own shell at the element (at a point of its relative interior).
 /// InvariantError: a vertex so ragged that the pieces do not cover it.
 std::vector<ConvexPiece> LocalPieces(const Polyhedron& solid, const Element& element);
+
+/// The elements that hold the point in their relative interiors, a shell's each: more than one where shells
+/// touch. In canonical order.
+std::vector<Element> ElementsAt(const Polyhedron& solid, const Vector3& point);
+
+/// The pieces of the union of the shells at a point of their surfaces. A point that they surround has one piece,
+/// without normals.
+std::vector<ConvexPiece> LocalPieces(const Polyhedron& solid, const Vector3& point);
+
+/// Whether a face at the element has one of the piece's normals.
+bool Bounds(const Polyhedron& solid, const Element& element, const ConvexPiece& piece);
 
 }  // namespace tact::algebra
