@@ -31,17 +31,25 @@ class Body {
   const Vector3& tail(size_t e) const { return point(solid.edges[e].tail); }
   const Vector3& head(size_t e) const { return point(solid.edges[e].head); }
 
-  // The pieces at the element's point nearest to p: those of the union where shells touch.
-  const std::vector<ConvexPiece>& Pieces(const Element& element, const Vector3& p) {
-    if (solid.shells > 1) {
-      const Vector3 nearest = Nearest(element, p);
-      const auto [at, fresh] = shared_pieces_.try_emplace(nearest);
-      if (fresh && ElementsAt(solid, nearest).size() > 1) at->second = LocalPieces(solid, nearest);
-      if (!at->second.empty()) return at->second;
-    }
-    const auto [at, fresh] = pieces_.try_emplace(element);
-    if (fresh) at->second = LocalPieces(solid, element);
+  // What the solid looks like at the element's point nearest to p: several elements share it where shells touch or
+  // a shell is pinched.
+  struct Place {
+    std::vector<Element> elements;
+    std::vector<ConvexPiece> pieces;
+  };
+  const Place& At(const Element& element, const Vector3& p) {
+    const Vector3 nearest = Nearest(element, p);
+    const auto [at, fresh] = places_.try_emplace(nearest);
+    if (fresh) at->second = {ElementsAt(solid, nearest), LocalPieces(solid, nearest)};
     return at->second;
+  }
+  // The element if it bounds the piece, or else one of its place that does.
+  Element Bounding(const Element& element, const Place& place, const ConvexPiece& piece) const {
+    if (Bounds(solid, element, piece)) return element;
+    for (const Element& other : place.elements) {
+      if (Bounds(solid, other, piece)) return other;
+    }
+    return element;
   }
 
   const Polyhedron& solid;
@@ -54,8 +62,7 @@ class Body {
     return NearestOnSegment(p, tail(element.index), head(element.index)).point;
   }
 
-  std::map<Element, std::vector<ConvexPiece>> pieces_;
-  std::map<Vector3, std::vector<ConvexPiece>> shared_pieces_;  // empty: the point is one element's alone
+  std::map<Vector3, Place> places_;
 };
 
 class Finder {
@@ -80,9 +87,12 @@ class Finder {
     }
     CrossEdges();
     if (overlaps_) {
-      found_ = {};
-      found_.penetration = DeepestMidpoint();
-      return found_;
+      const Penetration deepest = DeepestMidpoint();
+      if (tolerance_.sign() == 0 || deepest.squared_depth > squared_tolerance_) {
+        found_ = {};
+        found_.penetration = deepest;
+        return found_;
+      }
     }
     DropImplied();
     found_.primitives =
@@ -155,15 +165,17 @@ class Finder {
 
   void Add(const Vector3& point, const Element& moving, const Element& fixed) {
     corners_.push_back(point);
-    for (const ConvexPiece& m : moving_.Pieces(moving, point)) {
-      for (const ConvexPiece& f : fixed_.Pieces(fixed, point)) {
+    const Body::Place &of_moving = moving_.At(moving, point), &of_fixed = fixed_.At(fixed, point);
+    for (const ConvexPiece& m : of_moving.pieces) {
+      for (const ConvexPiece& f : of_fixed.pieces) {
         std::vector<Vector3> planes = SeparatePlanes(m, f, tolerance_);
         if (planes.empty()) {
-          overlaps_ = overlaps_ || tolerance_.sign() == 0;
+          overlaps_ = true;
           continue;
         }
         found_.relation.contacts.push_back({point, std::move(planes), ""});
-        found_.elements.emplace_back(moving, fixed);
+        found_.elements.emplace_back(moving_.Bounding(moving, of_moving, m),
+                                     fixed_.Bounding(fixed, of_fixed, f));
       }
     }
   }
@@ -223,8 +235,8 @@ class Finder {
 
   Body moving_, fixed_;
   Rational tolerance_, squared_tolerance_;
-  double reach_;  // the tolerance for box tests, rounded up
-  bool overlaps_ = false;
+  double reach_;           // the tolerance for box tests, rounded up
+  bool overlaps_ = false;  // some pieces do, as far as the tolerance can tell
   std::vector<Vector3> corners_;
   FoundContacts found_;
 };

@@ -33,16 +33,16 @@ struct ConvexPiece {
   std::vector<Vector3> directions;
 };
 
-/// The pieces of the solid's own shell at the element (at a point of its relative interior).
-/// InvariantError: a vertex so ragged that the pieces do not cover it.
+/// The pieces of the solid at the element (at a point of its relative interior) as if nothing else of the solid
+/// touched it there. InvariantError: a vertex so ragged that the pieces do not cover it.
 std::vector<ConvexPiece> LocalPieces(const Polyhedron& solid, const Element& element);
 
-/// The elements that hold the point in their relative interiors, a shell's each: more than one where shells
-/// touch. In canonical order.
+/// The elements that hold the point in their relative interiors, in canonical order: more than one where shells
+/// touch or a shell is pinched.
 std::vector<Element> ElementsAt(const Polyhedron& solid, const Vector3& point);
 
-/// The pieces of the union of the shells at a point of their surfaces. A point that they surround has one piece,
-/// without normals.
+/// The pieces of the solid, all of it, at a point of its surface. A point that shells surround together has one
+/// piece, without normals. InvariantError: as above.
 std::vector<ConvexPiece> LocalPieces(const Polyhedron& solid, const Vector3& point);
 
 /// Whether a face at the element has one of the piece's normals.

@@ -98,5 +98,20 @@ TEST(FirstOrderTwin, SmallMotionsOverlapAsTheRelationSays) {
   for (const auto& [kind, count] : tally.kinds) EXPECT_GT(count, 15) << kind;
 }
 
+// Six of eight cubes around a point, two opposite ones missing: the solid's surface is pinched there, with two
+// vertices, and what one vertex alone looks like fills the other's void.
+TEST(FirstOrderTwin, ABoxInOneVoidOfAPinchTouchesThreeFaces) {
+  Cubes cubes;
+  for (int i = 1; i < 7; ++i) cubes.cells.push_back({i & 1, i >> 1 & 1, i >> 2});
+  const SampleBody fixed{BuildPolyhedron(cubes.OneShell()), cubes.Parts()};
+  ASSERT_EQ(ElementsAt(fixed.solid, {1, 1, 1}).size(), 2u);
+  const SampleBody moving = Convex(Box({0, 0, 0}, {1, 1, 1}));
+  const FoundContacts found = FindContacts(moving.solid, fixed.solid, 0);
+  EXPECT_FALSE(found.penetration);
+  EXPECT_EQ(MeetingOf(moving, fixed), Meeting::kTouching);
+  // Three faces of the void hold it from above.
+  EXPECT_EQ(BriefOf(found.relation), "030/030/33");
+}
+
 }  // namespace
 }  // namespace tact::algebra
