@@ -31,8 +31,8 @@ class Body {
   const Vector3& tail(size_t e) const { return point(solid.edges[e].tail); }
   const Vector3& head(size_t e) const { return point(solid.edges[e].head); }
 
-  // What the solid looks like at the element's point nearest to p: several elements share it where shells touch or
-  // a shell is pinched.
+  // What the solid looks like at the element's point nearest to p: several elements share it where shells
+  // touch or a shell is pinched.
   struct Place {
     std::vector<Element> elements;
     std::vector<ConvexPiece> pieces;

@@ -51,8 +51,8 @@ struct FoundContacts {
 /// PreconditionError: a negative tolerance.
 FoundContacts FindContacts(const Polyhedron& moving, const Polyhedron& fixed, const Rational& tolerance);
 
-/// The deepest point found of those the solids' vertices and edges have inside the other solid. Solids that overlap
-/// with every vertex and edge on the other's surface have none; FindContacts finds them.
+/// The deepest point found of those the solids' vertices and edges have inside the other solid. Solids that
+/// overlap with every vertex and edge on the other's surface have none; FindContacts finds them.
 std::optional<Penetration> FindPenetration(const Polyhedron& moving, const Polyhedron& fixed,
                                            const Rational& tolerance);
 

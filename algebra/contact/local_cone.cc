@@ -183,7 +183,7 @@ void MinimalCuts(const std::vector<Cell>& cells, std::set<size_t>& chosen, std::
   cuts.insert(chosen);
 }
 
-// The largest pieces between some of the planes through a point that fit in the solid; edges as in VertexPiece.
+// The largest pieces between planes through a point that fit in the solid; edges as in VertexPiece.
 std::vector<ConvexPiece> LargestPieces(const Polyhedron& solid, const Vector3& point,
                                        const std::vector<Vector3>& normals,
                                        const std::vector<Vector3>& edges) {
@@ -282,6 +282,7 @@ std::vector<Element> ElementsAt(const Polyhedron& solid, const Vector3& point) {
 
 std::vector<ConvexPiece> LocalPieces(const Polyhedron& solid, const Vector3& point) {
   const std::vector<Element> elements = ElementsAt(solid, point);
+  if (elements.empty()) throw PreconditionError("the point " + ToString(point) + " is not on the surface");
   if (elements.size() == 1) return LocalPieces(solid, elements[0]);
   std::vector<size_t> faces;
   std::vector<Vector3> directions;

@@ -15,10 +15,12 @@ struct BoundingBox {
   std::array<double, 3> low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
   std::array<double, 3> high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
 
-  /// Grows by the point, rounded outward (ToDouble errs by one unit in the last place at most).
+  /// Grows by the point, rounded outward (ToDouble errs by two units in the last place at most, and beyond
+  /// the doubles it is infinite).
   void Add(const Vector3& point) {
     for (int i = 0; i < 3; ++i) {
-      const double x = ToDouble(point[i]);
+      constexpr double kMost = std::numeric_limits<double>::max();
+      const double x = std::clamp(ToDouble(point[i]), -kMost, kMost);
       const double slack =
           4 * std::numeric_limits<double>::epsilon() * std::abs(x) + std::numeric_limits<double>::min();
       low[i] = std::min(low[i], x - slack);

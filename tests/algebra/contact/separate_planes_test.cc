@@ -29,14 +29,18 @@ std::set<IntegerVector> ExtremeRays(const ConvexPiece& moving, const ConvexPiece
 }
 
 std::vector<ConvexPiece> RandomPieces(Dice& dice) {
-  const Polyhedron solid = Transform(RandomBody(dice).solid, Pose{RandomRotation(dice), {}});
-  return LocalPieces(solid, RandomSurfacePoint(dice, solid));
+  for (;;) {
+    const Polyhedron solid = Transform(RandomBody(dice).solid, Pose{RandomRotation(dice), {}});
+    const Vector3 point = RandomSurfacePoint(dice, solid);
+    if (!ElementsAt(solid, point).empty())
+      return LocalPieces(solid, point);  // else a face is not convex there
+  }
 }
 
 TEST(SeparatePlanesTwin, AreTheExtremeRaysOfTheSeparatingNormals) {
   int none = 0, one = 0, several = 0;
   Dice dice(90000);
-  for (int i = 0; i < 1500; ++i) {
+  for (int i = 0; i < 500; ++i) {
     for (const ConvexPiece& moving : RandomPieces(dice)) {
       for (const ConvexPiece& fixed : RandomPieces(dice)) {
         const std::vector<Vector3> planes = SeparatePlanes(moving, fixed, 0);
@@ -48,15 +52,19 @@ TEST(SeparatePlanesTwin, AreTheExtremeRaysOfTheSeparatingNormals) {
       }
     }
   }
-  EXPECT_GT(none, 500);
+  EXPECT_GT(none, 300);
   EXPECT_GT(one, 10);
-  EXPECT_GT(several, 200);
+  EXPECT_GT(several, 100);
 }
 
 // The two forms of a piece are one cone.
+TEST(LocalPieces, APointOffTheSurfaceIsRefused) {
+  EXPECT_THROW(LocalPieces(BuildPolyhedron(Box({0, 0, 0}, {2, 2, 2})), {1, 1, 1}), PreconditionError);
+}
+
 TEST(LocalPiecesTwin, NormalsAreTheFacetsOfTheDirections) {
   Dice dice(91000);
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < 300; ++i) {
     for (const ConvexPiece& piece : RandomPieces(dice)) {
       IntegerMatrix rays(0, 3);
       for (const Vector3& d : piece.directions) rays.AppendRow(Row(d));
@@ -75,7 +83,7 @@ TEST(LocalPiecesTwin, NormalsAreTheFacetsOfTheDirections) {
 // A little step from a point of the surface ends inside exactly if some piece holds its direction strictly.
 TEST(LocalPiecesTwin, TheUnionIsWhatTheSolidLooksLike) {
   int inside = 0, outside = 0;
-  for (unsigned seed = 92000; seed < 92300; ++seed) {
+  for (unsigned seed = 92000; seed < 92120; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Dice dice(seed);
     const Cubes cubes = RandomCubes(dice);
@@ -98,8 +106,8 @@ TEST(LocalPiecesTwin, TheUnionIsWhatTheSolidLooksLike) {
       ++(held ? inside : outside);
     }
   }
-  EXPECT_GT(inside, 500);
-  EXPECT_GT(outside, 500);
+  EXPECT_GT(inside, 200);
+  EXPECT_GT(outside, 200);
 }
 
 }  // namespace
