@@ -220,11 +220,15 @@ TEST(ContactFinder, ThePegOfTheExampleGoesThroughItsEightRelations) {
   EXPECT_EQ(brief(tilted, {Rational(-602, 101), 0, Rational(40, 101)}), "210/210/11");
   EXPECT_EQ(brief(tilted, {Rational(-400, 101), 0, Rational(40, 101)}), "singular 300/300/22");
   EXPECT_EQ(brief(tilted, {-2, 0, 0}), "210/210/11");
-  EXPECT_EQ(brief(tilted, {Rational(-1196, 10201), 0, Rational(-3880, 10201)}), "120/120/22");
+  const Pose tilted_in{tilted, {Rational(-1196, 10201), 0, Rational(-3880, 10201)}};
+  const FoundContacts in = FindContacts(Transform(peg, tilted_in), slot, 0);
+  EXPECT_EQ(BriefOf(in.relation), "120/120/22");
+  EXPECT_EQ(ComputeMotionDof(in.relation).rotation.detaching_type1, 2);
   EXPECT_EQ(brief(upright, {0, 0, 0}), "singular 300/300/23");
   EXPECT_EQ(brief(upright, {0, 0, -2}), "201/102/12");
   const FoundContacts home = FindContacts(Transform(peg, {upright, {0, 0, -5}}), slot, 0);
   EXPECT_EQ(BriefOf(home.relation), "111/012/23");
+  EXPECT_EQ(ComputeMotionDof(home.relation).rotation.detaching_type1, 1);  // it tips over either end
 }
 
 // Where the floor meets a wall, one point has a contact with each.

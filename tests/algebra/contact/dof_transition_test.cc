@@ -32,10 +32,10 @@ MotionDof Dof(bool singular, const TranslationDof& t, const RotationDof& r) {
 const MotionDof kFree = Dof(false, Translation(3, 0, 0, 0), Rotational(3, 0, 0, 0, 0));
 const MotionDof kEdgeOnFace = Dof(false, Translation(2, 1, 0, 1), Rotational(2, 1, 0, 0, 1));
 const MotionDof kEdgeOnEdge = Dof(true, Translation(3, 0, 0, 2), Rotational(3, 0, 0, 0, 2));
-const MotionDof kEdgeOnFaceAndWall = Dof(false, Translation(1, 2, 0, 2), Rotational(1, 0, 2, 0, 2));
+const MotionDof kEdgeOnFaceAndWall = Dof(false, Translation(1, 2, 0, 2), Rotational(1, 2, 0, 0, 2));
 const MotionDof kAtTheMouth = Dof(true, Translation(3, 0, 0, 2), Rotational(3, 0, 0, 0, 3));
 const MotionDof kInTheSlot = Dof(false, Translation(2, 0, 1, 1), Rotational(1, 0, 0, 2, 2));
-const MotionDof kHome = Dof(false, Translation(1, 1, 1, 2), Rotational(0, 0, 1, 2, 3));
+const MotionDof kHome = Dof(false, Translation(1, 1, 1, 2), Rotational(0, 1, 0, 2, 3));
 
 TEST(DofTransition, TwentyOfThirtyKindsArePractical) {
   std::set<std::pair<DofIndex, DofIndex>> impractical;
@@ -147,10 +147,10 @@ TEST(DofTransition, TheSevenOfThePegInTheSlot) {
   EXPECT_EQ(transitions[0].sub_skills, (Skills{kMakeContactInTranslation, kType1MakeContactInRotation}));
   EXPECT_EQ(transitions[1].sub_skills, (Skills{kSlideInTranslation, kSlideInRotation}));
   EXPECT_EQ(transitions[2].sub_skills, Skills{});
-  EXPECT_EQ(transitions[3].sub_skills, (Skills{kMakeContactInTranslation, kType2MakeContactInRotation}));
+  EXPECT_EQ(transitions[3].sub_skills, (Skills{kMakeContactInTranslation, kType1MakeContactInRotation}));
   EXPECT_EQ(transitions[4].sub_skills, Skills{kSlideInRotation});  // restricted: 2 to 2, and 2 to 3
   EXPECT_EQ(transitions[5].sub_skills, Skills{});
-  EXPECT_EQ(transitions[6].sub_skills, (Skills{kMakeContactInTranslation, kType2MakeContactInRotation}));
+  EXPECT_EQ(transitions[6].sub_skills, (Skills{kMakeContactInTranslation, kType1MakeContactInRotation}));
   for (size_t i = 0; i < transitions.size(); ++i) {
     EXPECT_EQ(transitions[i].critical, i == 5) << i;
     EXPECT_TRUE(transitions[i].practical) << i;
