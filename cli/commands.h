@@ -21,6 +21,7 @@ struct ContactsOptions {
   std::string pose;             // of the moving model in the fixed one's frame, in JSON or a file of it
   std::string tolerance = "0";  // millimetres
   std::string unit;             // of both models and of the pose
+  std::string svg;              // a file for a drawing; empty: none
   bool json = false;
 };
 

@@ -1,3 +1,4 @@
+#include <fstream>
 #include <iostream>
 
 #include "algebra/error.h"
@@ -5,6 +6,7 @@
 #include "cli/dof_table.h"
 #include "cli/json_text.h"
 #include "cli/output.h"
+#include "provers/report/solid_drawing.h"
 #include "robot/recognition/posed_models.h"
 
 namespace tact::cli {
@@ -29,6 +31,15 @@ std::string ToList(const algebra::FoundContacts& found, const std::string& unit)
   return text + "\n" + DofTable(ComputeMotionDof(found.relation));
 }
 
+void Draw(const recognition::ModelPair& models, const algebra::Pose& X_FM,
+          const algebra::ContactRelation& relation, const std::string& path) {
+  const std::vector<provers::DrawnSolid> solids = {{models.fixed, provers::Part::kFixed},
+                                                   {Transform(models.moving, X_FM), provers::Part::kMoving}};
+  std::ofstream file(path);
+  file << provers::DrawContactRelation(solids, relation) << "\n";
+  if (!file.flush()) throw InputError("--svg: expected a file that can be written, got " + path);
+}
+
 }  // namespace
 
 ExitStatus RunContacts(const ContactsOptions& options) {
@@ -50,6 +61,7 @@ ExitStatus RunContacts(const ContactsOptions& options) {
     std::cerr << "tact: note: the rotation was rounded to a rational one; contacts need a tolerance\n";
   }
   const algebra::FoundContacts found = recognition::ContactsInPose(pair, pose.pose, "--pose");
+  if (!options.svg.empty()) Draw(pair, pose.pose, found.relation, options.svg);
   Output output;
   output << (options.json ? R"({"contacts":)" + ContactsToJson(found.relation) + "}\n"
                           : ToList(found, options.unit));

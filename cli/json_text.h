@@ -1,5 +1,5 @@
 /// @file
-/// Exact values as JSON text: numbers where they are integers of a double's size, strings "p/q" where not.
+/// Exact values as JSON text: numbers where a decimal of 15 digits says it all, strings "p/q" where not.
 #pragma once
 
 #include <string>

@@ -88,6 +88,7 @@ void AddContactsCommand(CLI::App& app, Request& request) {
       ->add_option("--tolerance", options.tolerance,
                    "gap or overlap that still counts as contact, millimetres")
       ->capture_default_str();
+  parser->add_option("--svg", options.svg, "draw the models and their contacts into this file");
   parser->add_flag("--json", options.json, "answer with a contact relation in JSON");
   parser->callback([&request] { request.run = [&request] { return RunContacts(request.contacts); }; });
 }

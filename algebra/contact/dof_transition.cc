@@ -86,6 +86,10 @@ class Analysis {
       Select(rotation ? SubSkill::kSlideInRotation : SubSkill::kSlideInTranslation,
              "a maintaining DOF" + in +
                  " becomes a singular maintaining one and the restricted DOF rises from " + change);
+      if (before_.translation.detaching == 0) {
+        Say("But no detaching DOF in translation was lost, so there was no support to slide on: this is an "
+            "approach.");
+      }
     } else {
       Say("No slide" + in +
           ": a maintaining DOF becomes a singular maintaining one, but the restricted DOF goes from " +

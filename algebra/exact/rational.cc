@@ -88,6 +88,20 @@ std::string Rational::ToString() const {
   return is_integer() ? numerator_.ToString() : numerator_.ToString() + "/" + denominator_.ToString();
 }
 
+std::string Rational::ToDecimal() const {
+  constexpr int kMostPlaces = 15;
+  Integer power(1);
+  for (int places = 0; places <= kMostPlaces; ++places, power *= Integer(10)) {
+    const Rational scaled = *this * Rational(power);
+    if (!scaled.is_integer()) continue;
+    std::string digits = Abs(scaled.numerator()).ToString();
+    if (digits.size() <= static_cast<size_t>(places)) digits.insert(0, places + 1 - digits.size(), '0');
+    if (places > 0) digits.insert(digits.size() - places, ".");
+    return (sign() < 0 ? "-" : "") + digits;
+  }
+  return ToString();
+}
+
 Rational Rational::operator-() const {
   Rational result = *this;
   result.numerator_ = -result.numerator_;

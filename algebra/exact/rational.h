@@ -35,6 +35,8 @@ class Rational {
   bool is_integer() const noexcept { return denominator_ == Integer(1); }
   /// "p" or "p/q".
   std::string ToString() const;
+  /// The decimal, exactly, if it has at most 15 places after the point ("0.013"); otherwise "p/q".
+  std::string ToDecimal() const;
 
   Rational operator-() const;
   friend Rational operator+(const Rational& a, const Rational& b);

@@ -30,7 +30,7 @@ Vector3 Primitive(const Vector3& a) {
 bool Parallel(const Vector3& a, const Vector3& b) { return Cross(a, b).IsZero(); }
 
 std::string ToString(const Vector3& a) {
-  return "(" + a.x.ToString() + ", " + a.y.ToString() + ", " + a.z.ToString() + ")";
+  return "(" + a.x.ToDecimal() + ", " + a.y.ToDecimal() + ", " + a.z.ToDecimal() + ")";
 }
 
 std::array<double, 3> ToDouble(const Vector3& a) { return {ToDouble(a.x), ToDouble(a.y), ToDouble(a.z)}; }

@@ -32,7 +32,7 @@ Vector3 Cross(const Vector3& a, const Vector3& b);
 Vector3 Primitive(const Vector3& a);
 /// a x b = 0.
 bool Parallel(const Vector3& a, const Vector3& b);
-/// "(x, y, z)".
+/// "(x, y, z)", decimals where they are exact.
 std::string ToString(const Vector3& a);
 std::array<double, 3> ToDouble(const Vector3& a);
 

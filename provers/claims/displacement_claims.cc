@@ -1,5 +1,7 @@
 #include <array>
+#include <utility>
 
+#include "algebra/contact/singular_edge.h"
 #include "algebra/screw/vector3.h"
 #include "provers/certificate_writer.h"
 #include "provers/claims/claims.h"
@@ -76,6 +78,60 @@ Outcome TrySingularEdges(Effort) {
   return outcome;
 }
 
+// Whether some point between the ends, at a share s of the way, has both products negative: s must be where the
+// first is negative and where the second is, two open half-lines.
+bool EntersTheWedge(int a, int b, int c, int d) {
+  Rational low(0), high(1);
+  bool low_open = false, high_open = false;
+  for (const auto& [start, end] : {std::pair{a, c}, std::pair{b, d}}) {
+    // start + s (end - start) < 0
+    const int slope = end - start;
+    if (slope == 0) {
+      if (start >= 0) return false;
+      continue;
+    }
+    const Rational root(Integer(-start), Integer(slope));
+    if (slope > 0 && root <= high) {
+      high = root;
+      high_open = true;
+    }
+    if (slope < 0 && root >= low) {
+      low = root;
+      low_open = true;
+    }
+  }
+  return low < high || (low == high && !low_open && !high_open);
+}
+
+Outcome TryCorrectedSingularEdges(Effort effort) {
+  const int largest = effort == Effort::kQuick ? 4 : (effort == Effort::kStandard ? 7 : 12);
+  Outcome outcome;
+  outcome.bound = "all products of the two planes with the two ends' velocities in -" +
+                  std::to_string(largest) + " ... " + std::to_string(largest);
+  long long cases = 0, failures = 0, both_ends_legal = 0;
+  for (int a = -largest; a <= largest; ++a) {
+    for (int b = -largest; b <= largest; ++b) {
+      for (int c = -largest; c <= largest; ++c) {
+        for (int d = -largest; d <= largest; ++d) {
+          ++cases;
+          const bool permitted = algebra::PermitsEdgeMotion({a, b, c, d});
+          failures += permitted == !EntersTheWedge(a, b, c, d) ? 0 : 1;
+          both_ends_legal += !permitted && (a >= 0 || b >= 0) && (c >= 0 || d >= 0) ? 1 : 0;
+        }
+      }
+    }
+  }
+  outcome.verdict = failures == 0 ? Verdict::kHoldsTo : Verdict::kRefuted;
+  outcome.no_certificate = "The counterexample would be four numbers; see the evidence.";
+  outcome.numbers = {
+      {"cases", cases}, {"failures", failures}, {"legal at both ends, not between", both_ends_legal}};
+  outcome.evidence =
+      "The rule is held against its meaning: the points between the ends where the first product is negative "
+      "form an interval, so "
+      "do those of the second, and the edge is stopped just if the two intervals meet.";
+  return outcome;
+}
+
 }  // namespace
 
 std::vector<Claim> DisplacementClaims() {
@@ -87,7 +143,12 @@ std::vector<Claim> DisplacementClaims() {
            "A parallel edge-edge contact is represented by its end points, each with the union of its "
            "separate planes.",
            "2.1, Equation (2.2), as Hirukawa's reduction to contacting points is read", "symbolic",
-           TrySingularEdges}};
+           TrySingularEdges},
+          {"thesis.2.1.singular-edges-corrected",
+           "A parallel edge-edge contact permits a motion just if one plane serves both ends, or each end "
+           "has its own and "
+           "the products a, b at one end and c, d at the other satisfy a d >= b c.",
+           "2.1, Equation (2.2), corrected", "exhaustive", TryCorrectedSingularEdges}};
 }
 
 }  // namespace tact::provers

@@ -33,6 +33,14 @@ TEST(Rational, ShortestDecimalOfADoubleIsTheDecimalAPersonWrote) {
   EXPECT_EQ(Rational::FromShortestDecimal(0.027713), *Rational::Parse("0.027713"));
 }
 
+TEST(Rational, PrintsAsTheExactDecimalWhereThereIsOne) {
+  EXPECT_EQ(Rational(13, 1000).ToDecimal(), "0.013");
+  EXPECT_EQ(Rational(-5, 2).ToDecimal(), "-2.5");
+  EXPECT_EQ(Rational(40).ToDecimal(), "40");
+  EXPECT_EQ(Rational(1, 3).ToDecimal(), "1/3");
+  EXPECT_EQ(Rational(Integer(1), Integer(1L << 20)).ToDecimal(), "1/1048576");  // 20 places
+}
+
 // Overflow of 64 bits must go unnoticed: the same laws on numbers around 2^63.
 rc::Gen<Rational> AnyRational() {
   return rc::gen::map(rc::gen::tuple(rc::gen::arbitrary<int64_t>(), rc::gen::nonZero<int64_t>()),

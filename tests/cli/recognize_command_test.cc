@@ -1,0 +1,56 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/run_program.h"
+
+namespace tact::cli {
+namespace {
+
+const std::string kDemonstration = std::string(TACT_SOURCE_DIR) + "/examples/peg_in_hole/demonstration.json";
+
+// The sub-skills and the critical transition that [thesis, 2.8.2] names.
+TEST(RecognizeCommand, GivesTheSevenTransitionsOfThePegInsertion) {
+  const Answer answer = RunTact({"recognize", kDemonstration, "--json"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  const auto json = nlohmann::json::parse(answer.out);
+  ASSERT_EQ(json["relations"].size(), 8U);
+  ASSERT_EQ(json["transitions"].size(), 7U);
+  const std::vector<std::string> align = {"make-contact-in-translation", "type1-make-contact-in-rotation"};
+  const std::vector<std::vector<std::string>> skills = {
+      align, {"slide-in-translation", "slide-in-rotation"}, {}, align, {"slide-in-rotation"}, {}, align};
+  for (size_t i = 0; i < 7; ++i) {
+    const auto& t = json["transitions"][i];
+    EXPECT_EQ(t["sub_skills"], nlohmann::json(skills[i])) << i + 1;
+    EXPECT_EQ(t["critical"], i == 5) << i + 1;
+    EXPECT_EQ(t["practical"], true) << i + 1;
+    EXPECT_EQ(t["from"], i);
+    EXPECT_EQ(t["to"], i + 1);
+    EXPECT_FALSE(t["why"].get<std::string>().empty());
+  }
+  EXPECT_EQ(json["relations"][7]["dof"]["rotation"]["constraining"], 2);
+  EXPECT_EQ(json["relations"][7]["frames"], nlohmann::json({8, 8}));
+}
+
+TEST(RecognizeCommand, PeopleSeeATableAndTheReasons) {
+  const Answer answer = RunTact({"recognize", kDemonstration});
+  EXPECT_NE(answer.out.find("F           6         3 0 0 s      3 0 0     2 3         2 edge-edge\n"),
+            std::string::npos)
+      << answer.out;
+  EXPECT_NE(answer.out.find("(6) F -> G   CRITICAL\n"), std::string::npos) << answer.out;
+}
+
+// Bringing an edge onto a parallel edge from free space: the rule selects a slide, and tact says what is wrong with it.
+TEST(RecognizeCommand, ASlideWithoutSupportIsCalledAnApproach) {
+  const Answer answer = RunTact(
+      {"recognize", "-"},
+      R"({"relations":[{"name":"free","contacts":[]},{"name":"rim","contacts":[)"
+      R"({"point":[0,-1,0],"planes":[[0,0,1],[1,0,0]]},{"point":[0,1,0],"planes":[[0,0,1],[1,0,0]]}]}]})"
+      "\n");
+  EXPECT_EQ(answer.status, 0) << answer.err;
+  EXPECT_NE(answer.out.find("slide-in-translation"), std::string::npos) << answer.out;
+  EXPECT_NE(answer.out.find("this is an approach"), std::string::npos) << answer.out;
+}
+
+}  // namespace
+}  // namespace tact::cli
