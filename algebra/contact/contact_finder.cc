@@ -28,17 +28,38 @@ class Body {
   const Vector3& tail(size_t e) const { return point(solid.edges[e].tail); }
   const Vector3& head(size_t e) const { return point(solid.edges[e].head); }
 
-  const std::vector<ConvexPiece>& Pieces(const Element& element) {
-    const auto [at, fresh] = pieces_.try_emplace(element);
-    if (fresh) at->second = LocalPieces(solid, element);
+  // What the solid looks like at the element's point nearest to p: several elements share it where shells
+  // touch or a shell is pinched.
+  struct Place {
+    std::vector<Element> elements;
+    std::vector<ConvexPiece> pieces;
+  };
+  const Place& At(const Element& element, const Vector3& p) {
+    const Vector3 nearest = Nearest(element, p);
+    const auto [at, fresh] = places_.try_emplace(nearest);
+    if (fresh) at->second = {ElementsAt(solid, nearest), LocalPieces(solid, nearest)};
     return at->second;
+  }
+  // The element if it bounds the piece, or else one of its place that does.
+  Element Bounding(const Element& element, const Place& place, const ConvexPiece& piece) const {
+    if (Bounds(solid, element, piece)) return element;
+    for (const Element& other : place.elements) {
+      if (Bounds(solid, other, piece)) return other;
+    }
+    return element;
   }
 
   const Polyhedron& solid;
   std::vector<BoundingBox> vertex_boxes, edge_boxes, face_boxes;
 
  private:
-  std::map<Element, std::vector<ConvexPiece>> pieces_;
+  Vector3 Nearest(const Element& element, const Vector3& p) const {
+    if (element.kind == ElementKind::kVertex) return point(element.index);
+    if (element.kind == ElementKind::kFace) return ProjectOntoPlane(p, solid.faces[element.index]);
+    return NearestOnSegment(p, tail(element.index), head(element.index)).point;
+  }
+
+  std::map<Vector3, Place> places_;
 };
 
 class Finder {
@@ -63,9 +84,12 @@ class Finder {
     }
     CrossEdges();
     if (overlaps_) {
-      found_ = {};
-      found_.penetration = DeepestMidpoint();
-      return found_;
+      const Penetration deepest = DeepestMidpoint();
+      if (tolerance_.sign() == 0 || deepest.squared_depth > squared_tolerance_) {
+        found_ = {};
+        found_.penetration = deepest;
+        return found_;
+      }
     }
     DropImplied();
     found_.primitives =
@@ -138,15 +162,17 @@ class Finder {
 
   void Add(const Vector3& point, const Element& moving, const Element& fixed) {
     corners_.push_back(point);
-    for (const ConvexPiece& m : moving_.Pieces(moving)) {
-      for (const ConvexPiece& f : fixed_.Pieces(fixed)) {
+    const Body::Place &of_moving = moving_.At(moving, point), &of_fixed = fixed_.At(fixed, point);
+    for (const ConvexPiece& m : of_moving.pieces) {
+      for (const ConvexPiece& f : of_fixed.pieces) {
         std::vector<Vector3> planes = SeparatePlanes(m, f, tolerance_);
         if (planes.empty()) {
-          overlaps_ = overlaps_ || tolerance_.sign() == 0;
+          overlaps_ = true;
           continue;
         }
         found_.relation.contacts.push_back({point, std::move(planes), ""});
-        found_.elements.emplace_back(moving, fixed);
+        found_.elements.emplace_back(moving_.Bounding(moving, of_moving, m),
+                                     fixed_.Bounding(fixed, of_fixed, f));
       }
     }
   }
@@ -207,8 +233,8 @@ class Finder {
 
   Body moving_, fixed_;
   Rational tolerance_, squared_tolerance_;
-  double reach_;  // the tolerance for box tests, rounded up
-  bool overlaps_ = false;
+  double reach_;           // the tolerance for box tests, rounded up
+  bool overlaps_ = false;  // some pieces do, as far as the tolerance can tell
   std::vector<Vector3> corners_;
   FoundContacts found_;
 };

@@ -31,11 +31,12 @@ struct ContactPrimitive {
 /// "face-face", "edge-face", "edge-edge", ...; moving element first.
 std::string KindOf(const ContactPrimitive& primitive);
 
-/// A point deeper than the tolerance inside both solids.
+/// A point that lies deeper than the tolerance inside one solid, and inside the other or on its surface.
 struct Penetration {
   Vector3 where;
-  Rational
-      squared_depth;  // to the nearer of the two surfaces; zero if they overlap and no such point was found
+  /// To the surface of the solid that the point is inside (the nearer one if of both), between touching shells
+  /// counted in; zero if the solids overlap and no such point was found.
+  Rational squared_depth;
 };
 
 struct FoundContacts {
@@ -50,7 +51,8 @@ struct FoundContacts {
 /// PreconditionError: a negative tolerance.
 FoundContacts FindContacts(const Polyhedron& moving, const Polyhedron& fixed, const Rational& tolerance);
 
-/// The deepest point found of those the solids' vertices and edges have inside the other solid.
+/// The deepest point found of those the solids' vertices and edges have inside the other solid. Solids that
+/// overlap with every vertex and edge on the other's surface have none; FindContacts finds them.
 std::optional<Penetration> FindPenetration(const Polyhedron& moving, const Polyhedron& fixed,
                                            const Rational& tolerance);
 

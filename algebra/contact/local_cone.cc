@@ -6,6 +6,7 @@
 
 #include "algebra/cone/dual_simplex.h"
 #include "algebra/error.h"
+#include "algebra/solid/distance.h"
 
 namespace tact::algebra {
 namespace {
@@ -44,10 +45,16 @@ std::vector<ConvexPiece> EdgePieces(const Polyhedron& solid, const Edge& edge) {
             Reach(solid, right, tail, IntoFace(right.normal, -along))}}};
 }
 
-// Distinct normals of the faces at a vertex, in their order around it.
-std::vector<Vector3> NormalsAround(const Polyhedron& solid, const Vertex& vertex) {
+std::vector<size_t> FacesAt(const Polyhedron& solid, const Element& element) {
+  if (element.kind == ElementKind::kFace) return {element.index};
+  if (element.kind == ElementKind::kVertex) return solid.vertices[element.index].faces;
+  return {solid.edges[element.index].left, solid.edges[element.index].right};
+}
+
+// Distinct normals of the faces, in their order.
+std::vector<Vector3> NormalsOf(const Polyhedron& solid, const std::vector<size_t>& faces) {
   std::vector<Vector3> normals;
-  for (const size_t f : vertex.faces) {
+  for (const size_t f : faces) {
     const Vector3& n = solid.faces[f].normal;
     if (std::find(normals.begin(), normals.end(), n) == normals.end()) normals.push_back(n);
   }
@@ -73,6 +80,7 @@ Rational LargestEntry(const Vector3& v) { return std::max({Abs(v.x), Abs(v.y), A
 // the facets if there are fewer than three.
 std::vector<Vector3> GeneratingDirections(const std::vector<Vector3>& normals) {
   std::vector<Vector3> found;
+  if (normals.empty()) return {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
   if (normals.size() == 1) {
     const Vector3 u = Cross(normals[0], normals[0].x.sign() != 0 ? Vector3{0, 1, 0} : Vector3{1, 0, 0});
     const Vector3 w = Cross(normals[0], u);
@@ -121,16 +129,16 @@ std::optional<Vector3> CellDirection(const std::vector<Vector3>& normals, const 
   return Vector3{Rational(x[0]), Rational(x[1]), Rational(x[2])};
 }
 
-// Whether a step from the vertex in a direction off all of its planes enters the vertex' shell.
-bool Enters(const Polyhedron& shell, const Vertex& vertex, const Vector3& d) {
+// Whether a step from the point in a direction off all planes through it enters the solid.
+bool Enters(const Polyhedron& solid, const Vector3& point, const Vector3& d) {
   Rational nearest(1);
-  for (const Face& face : shell.faces) {
-    const Rational rate = Dot(face.normal, d), gap = face.offset - Dot(face.normal, vertex.point);
+  for (const Face& face : solid.faces) {
+    const Rational rate = Dot(face.normal, d), gap = face.offset - Dot(face.normal, point);
     if (rate.sign() == 0 || gap.sign() == 0) continue;
     const Rational t = gap / rate;
     if (t.sign() > 0 && t < nearest) nearest = t;
   }
-  return Locate(shell, vertex.point + (nearest / Rational(2)) * d) == Side::kInside;
+  return Locate(solid, point + (nearest / Rational(2)) * d) == Side::kInside;
 }
 
 struct Cell {
@@ -138,9 +146,7 @@ struct Cell {
   bool inside = false;
 };
 
-std::vector<Cell> Cells(const Polyhedron& solid, const Vertex& vertex, const std::vector<Vector3>& normals) {
-  Polyhedron shell = solid;
-  std::erase_if(shell.faces, [&](const Face& f) { return f.shell != vertex.shell; });
+std::vector<Cell> Cells(const Polyhedron& solid, const Vector3& point, const std::vector<Vector3>& normals) {
   std::vector<std::vector<int>> partial = {{}};
   for (size_t i = 0; i < normals.size(); ++i) {
     std::vector<std::vector<int>> next;
@@ -156,7 +162,7 @@ std::vector<Cell> Cells(const Polyhedron& solid, const Vertex& vertex, const std
   std::vector<Cell> cells;
   for (auto& sides : partial) {
     const Vector3 d = *CellDirection(normals, sides);
-    cells.push_back({std::move(sides), Enters(shell, vertex, d)});
+    cells.push_back({std::move(sides), Enters(solid, point, d)});
   }
   return cells;
 }
@@ -177,10 +183,11 @@ void MinimalCuts(const std::vector<Cell>& cells, std::set<size_t>& chosen, std::
   cuts.insert(chosen);
 }
 
-std::vector<ConvexPiece> MixedVertexPieces(const Polyhedron& solid, const Vertex& vertex,
-                                           const std::vector<Vector3>& normals,
-                                           const std::vector<Vector3>& edges) {
-  const std::vector<Cell> cells = Cells(solid, vertex, normals);
+// The largest pieces between planes through a point that fit in the solid; edges as in VertexPiece.
+std::vector<ConvexPiece> LargestPieces(const Polyhedron& solid, const Vector3& point,
+                                       const std::vector<Vector3>& normals,
+                                       const std::vector<Vector3>& edges) {
+  const std::vector<Cell> cells = Cells(solid, point, normals);
   std::set<std::set<size_t>> cuts;
   std::set<size_t> chosen;
   MinimalCuts(cells, chosen, cuts);
@@ -203,14 +210,14 @@ std::vector<ConvexPiece> MixedVertexPieces(const Polyhedron& solid, const Vertex
   }
   for (size_t c = 0; c < cells.size(); ++c) {
     if (cells[c].inside && covered[c] == 0)
-      throw InvariantError("a vertex is not covered by its convex pieces");
+      throw InvariantError("a point is not covered by its convex pieces");
   }
   return pieces;
 }
 
 std::vector<ConvexPiece> VertexPieces(const Polyhedron& solid, size_t v) {
   const Vertex& vertex = solid.vertices[v];
-  const std::vector<Vector3> normals = NormalsAround(solid, vertex);
+  const std::vector<Vector3> normals = NormalsOf(solid, vertex.faces);
   const std::vector<Vector3> edges = EdgeDirections(solid, vertex, v);
   const auto is = [&](Convexity c) {
     return std::all_of(vertex.edges.begin(), vertex.edges.end(),
@@ -222,7 +229,25 @@ std::vector<ConvexPiece> VertexPieces(const Polyhedron& solid, size_t v) {
     for (const Vector3& n : normals) pieces.push_back(VertexPiece({n}, edges));
     return pieces;
   }
-  return MixedVertexPieces(solid, vertex, normals, edges);
+  Polyhedron shell = solid;
+  std::erase_if(shell.faces, [&](const Face& f) { return f.shell != vertex.shell; });
+  return LargestPieces(shell, vertex.point, normals, edges);
+}
+
+// The face, or the edge or vertex of its boundary, that holds a point of the closed face.
+Element PartOfFace(const Polyhedron& solid, size_t f, const Vector3& point) {
+  const Face& face = solid.faces[f];
+  for (size_t k = 0; k < face.loops.size(); ++k) {
+    for (size_t i = 0; i < face.loops[k].size(); ++i) {
+      const Vector3& a = solid.vertices[face.loops[k][i]].point;
+      const Vector3& b = solid.vertices[face.loops[k][(i + 1) % face.loops[k].size()]].point;
+      if (a == point) return {ElementKind::kVertex, face.loops[k][i]};
+      if (Parallel(a - point, b - point) && Dot(a - point, b - point).sign() < 0) {
+        return {ElementKind::kEdge, face.loop_edges[k][i]};
+      }
+    }
+  }
+  return {ElementKind::kFace, f};
 }
 
 }  // namespace
@@ -242,6 +267,39 @@ std::vector<ConvexPiece> LocalPieces(const Polyhedron& solid, const Element& ele
       return {FacePiece(solid, solid.faces[element.index])};
   }
   throw InvariantError("an element of no kind");
+}
+
+std::vector<Element> ElementsAt(const Polyhedron& solid, const Vector3& point) {
+  std::set<Element> elements;
+  for (size_t f = 0; f < solid.faces.size(); ++f) {
+    const Face& face = solid.faces[f];
+    if (Dot(face.normal, point) == face.offset && FaceContains(solid, face, point)) {
+      elements.insert(PartOfFace(solid, f, point));
+    }
+  }
+  return {elements.begin(), elements.end()};
+}
+
+std::vector<ConvexPiece> LocalPieces(const Polyhedron& solid, const Vector3& point) {
+  const std::vector<Element> elements = ElementsAt(solid, point);
+  if (elements.empty()) throw PreconditionError("the point " + ToString(point) + " is not on the surface");
+  if (elements.size() == 1) return LocalPieces(solid, elements[0]);
+  std::vector<size_t> faces;
+  std::vector<Vector3> directions;
+  for (const Element& element : elements) {
+    for (const size_t f : FacesAt(solid, element)) faces.push_back(f);
+    for (const ConvexPiece& piece : LocalPieces(solid, element)) {
+      directions.insert(directions.end(), piece.directions.begin(), piece.directions.end());
+    }
+  }
+  return LargestPieces(solid, point, NormalsOf(solid, faces), directions);
+}
+
+bool Bounds(const Polyhedron& solid, const Element& element, const ConvexPiece& piece) {
+  const std::vector<Vector3> normals = NormalsOf(solid, FacesAt(solid, element));
+  return std::any_of(normals.begin(), normals.end(), [&](const Vector3& n) {
+    return std::find(piece.normals.begin(), piece.normals.end(), n) != piece.normals.end();
+  });
 }
 
 }  // namespace tact::algebra

@@ -26,15 +26,27 @@ struct Element {
 /// "vertex 3".
 std::string ToString(const Element& element);
 
-/// A convex cone in both forms. Every normal is a facet's; a half-space has one, a wedge two.
+/// A convex cone in both forms.
 struct ConvexPiece {
+  /// Every one is a facet's: a half-space has one, a wedge two, all of space none.
   std::vector<Vector3> normals;
   /// Generate the cone; both signs of a direction if it holds a line. Lengths are the solid's own.
   std::vector<Vector3> directions;
 };
 
-/// The pieces of the solid's own shell at the element (at a point of its relative interior).
-/// InvariantError: a vertex so ragged that the pieces do not cover it.
+/// The pieces of the solid at the element (at a point of its relative interior) as if nothing else of the
+/// solid touched it there. InvariantError: a vertex so ragged that the pieces do not cover it.
 std::vector<ConvexPiece> LocalPieces(const Polyhedron& solid, const Element& element);
+
+/// The elements that hold the point in their relative interiors, in canonical order: more than one where
+/// shells touch or a shell is pinched.
+std::vector<Element> ElementsAt(const Polyhedron& solid, const Vector3& point);
+
+/// The pieces of the solid, all of it, at a point of its surface. A point that shells surround together has
+/// one piece, without normals. PreconditionError: a point off every shell's surface. InvariantError: as above.
+std::vector<ConvexPiece> LocalPieces(const Polyhedron& solid, const Vector3& point);
+
+/// Whether a face at the element has one of the piece's normals.
+bool Bounds(const Polyhedron& solid, const Element& element, const ConvexPiece& piece);
 
 }  // namespace tact::algebra

@@ -1,6 +1,8 @@
 #include "algebra/exact/integer.h"
 
+#include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -178,7 +180,16 @@ std::strong_ordering operator<=>(const Integer& a, const Integer& b) noexcept {
 }
 
 double ToDouble(const Integer& a) {
-  return a.big_ != nullptr ? mpz_get_d(a.big_) : static_cast<double>(a.value_);
+  if (a.big_ == nullptr) return static_cast<double>(a.value_);
+  // The leading 64 bits, the last of them set if any behind it is: they round as the whole does.
+  Mpz leading;
+  const size_t behind = mpz_sizeinbase(a.big_, 2) - 64;
+  mpz_tdiv_q_2exp(leading.get(), a.big_, behind);
+  uint64_t bits = mpz_getlimbn(leading.get(), 0);
+  if (mpz_scan1(a.big_, 0) < behind) bits |= 1;
+  const double magnitude =
+      std::ldexp(static_cast<double>(bits), static_cast<int>(std::min<size_t>(behind, 4096)));
+  return a.sign() < 0 ? -magnitude : magnitude;
 }
 
 }  // namespace tact::algebra

@@ -23,10 +23,12 @@ BoundingBox::BoundingBox() {
 }
 
 void BoundingBox::Add(const Vector3& point) {
+  constexpr double kMost = std::numeric_limits<double>::max();
   const std::array<double, 3> rounded = ToDouble(point);
   for (size_t i = 0; i < 3; ++i) {
-    low[i] = std::min(low[i], Outwards(rounded[i], -kInfinity));
-    high[i] = std::max(high[i], Outwards(rounded[i], kInfinity));
+    const double x = std::clamp(rounded[i], -kMost, kMost);  // beyond the doubles it is infinite
+    low[i] = std::min(low[i], Outwards(x, -kInfinity));
+    high[i] = std::max(high[i], Outwards(x, kInfinity));
   }
 }
 
