@@ -3,27 +3,23 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
+
 #include "tests/algebra/uniform.h"
 
 namespace tact::algebra {
 namespace {
 
-BoundingBox BoxOf(const Vector3& p) {
-  BoundingBox box;
-  box.Add(p);
-  return box;
-}
-
 Rational Parsed(const char* text) { return *Rational::Parse(text); }
 
 TEST(BoundingBox, AnEmptyBoxIsNearNothing) {
-  EXPECT_FALSE(BoundingBox().Near(BoxOf({0, 0, 0}), 1e300));
-  EXPECT_FALSE(BoxOf({0, 0, 0}).Near(BoundingBox(), 1e300));
+  EXPECT_FALSE(BoundingBox().Near(BoxOf(Vector3{0, 0, 0}), 1e300));
+  EXPECT_FALSE(BoxOf(Vector3{0, 0, 0}).Near(BoundingBox(), 1e300));
 }
 
 TEST(BoundingBox, NearIsAlongEveryAxis) {
-  const BoundingBox box = BoxOf({0, 0, 0});
-  EXPECT_TRUE(box.Near(BoxOf({2, 2, -2}), 2));
+  const BoundingBox box = BoxOf(Vector3{0, 0, 0});
+  EXPECT_TRUE(box.Near(BoxOf(Vector3{2, 2, -2}), 2));
   for (int i = 0; i < 3; ++i) {
     Vector3 far{1, 1, 1};
     far[i] = 3;
@@ -48,8 +44,18 @@ TEST(BoundingBox, HoldsWhatDoublesCannotSay) {
                         : p.x < Rational::FromShortestDecimal(bound));
     }
   }
-  EXPECT_TRUE(BoxOf({Parsed("1e400"), 0, 0}).Near(BoxOf({Parsed("2e400"), 0, 0}), 0));
-  EXPECT_FALSE(BoxOf({Parsed("1e400"), 0, 0}).Near(BoxOf({1, 0, 0}), 1));
+  EXPECT_TRUE(BoxOf(Vector3{Parsed("1e400"), 0, 0}).Near(BoxOf(Vector3{Parsed("2e400"), 0, 0}), 0));
+  EXPECT_FALSE(BoxOf(Vector3{Parsed("1e400"), 0, 0}).Near(BoxOf(Vector3{1, 0, 0}), 1));
+}
+
+// By hand: 3 and 4 apart along two axes, overlapping along the third.
+TEST(BoundingBox, TheDistanceBoundIsBelowAndClose) {
+  BoundingBox box = BoxOf(Vector3{0, 0, 0});
+  box.Add(Vector3{1, 1, 9});
+  const double bound = box.SquaredDistanceBelow(BoxOf(Vector3{4, 5, 5}));
+  EXPECT_LE(bound, 25);
+  EXPECT_GT(bound, 25 - 1e-6);
+  EXPECT_EQ(box.SquaredDistanceBelow(BoxOf(Vector3{1, 1, 1})), 0);
 }
 
 RC_GTEST_PROP(BoundingBoxLaw, HoldsEveryPointAdded, ()) {

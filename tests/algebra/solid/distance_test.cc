@@ -76,21 +76,6 @@ TEST(Distance, ToAFaceWithAHole) {
   EXPECT_EQ(SquaredDistanceToFace(plate, top, {-3, -4, 2}), Rational(25));  // to a corner
   EXPECT_EQ(SquaredDistanceToFace(plate, top, {3, -2, 3}), Rational(5));    // to an edge
   EXPECT_EQ(SquaredDistanceToFace(plate, top, {4, 3, 2}), Rational(0));     // on the rim
-  EXPECT_EQ(SquaredDistanceToBoundary(plate, {1, 1, Rational(1, 2)}), Rational(1, 4));
-  EXPECT_EQ(SquaredDistanceToBoundary(plate, {3, 3, 1}), Rational(1));
-}
-
-// By hand: the distance to a box is that of what sticks out along each axis.
-RC_GTEST_PROP(DistanceLaw, ToABoxFromOutside, ()) {
-  const Polyhedron box = BuildPolyhedron(Box({-1, -2, 0}, {2, 1, 1}));
-  const Vector3 low{-1, -2, 0}, high{2, 1, 1}, p = SmallPoint();
-  RC_PRE(Locate(box, p) != Side::kInside);
-  Rational expected(0);
-  for (int i = 0; i < 3; ++i) {
-    const Rational out = std::max({low[i] - p[i], p[i] - high[i], Rational(0)});
-    expected += out * out;
-  }
-  RC_ASSERT(SquaredDistanceToBoundary(box, p) == expected);
 }
 
 }  // namespace
