@@ -8,12 +8,6 @@
 namespace tact::algebra {
 namespace {
 
-BoundingBox BoxOf(const Vector3& p) {
-  BoundingBox box;
-  box.Add(p);
-  return box;
-}
-
 Rational Parsed(const char* text) { return *Rational::Parse(text); }
 
 TEST(BoundingBox, AnEmptyBoxIsNearNothing) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "algebra/solid/point_locator.h"
 #include "tests/algebra/solid/solids.h"
 #include "tests/algebra/uniform.h"
 
@@ -76,8 +77,8 @@ TEST(Distance, ToAFaceWithAHole) {
   EXPECT_EQ(SquaredDistanceToFace(plate, top, {-3, -4, 2}), Rational(25));  // to a corner
   EXPECT_EQ(SquaredDistanceToFace(plate, top, {3, -2, 3}), Rational(5));    // to an edge
   EXPECT_EQ(SquaredDistanceToFace(plate, top, {4, 3, 2}), Rational(0));     // on the rim
-  EXPECT_EQ(SquaredDistanceToBoundary(plate, {1, 1, Rational(1, 2)}), Rational(1, 4));
-  EXPECT_EQ(SquaredDistanceToBoundary(plate, {3, 3, 1}), Rational(1));
+  EXPECT_EQ(PointLocator(plate).SquaredDistanceToSurface({1, 1, Rational(1, 2)}, 0), Rational(1, 4));
+  EXPECT_EQ(PointLocator(plate).SquaredDistanceToSurface({3, 3, 1}, 0), Rational(1));
 }
 
 // By hand: the distance to a box is that of what sticks out along each axis.
@@ -90,7 +91,20 @@ RC_GTEST_PROP(DistanceLaw, ToABoxFromOutside, ()) {
     const Rational out = std::max({low[i] - p[i], p[i] - high[i], Rational(0)});
     expected += out * out;
   }
-  RC_ASSERT(SquaredDistanceToBoundary(box, p) == expected);
+  RC_ASSERT(PointLocator(box).SquaredDistanceToSurface(p, -1) == expected);
+}
+
+// Leaving faces out changes nothing, inside or outside; what is near enough is only said to be.
+RC_GTEST_PROP(DistanceLaw, ToASurfaceIsToItsNearestFace, ()) {
+  const Polyhedron plate = BuildPolyhedron(PlateWithHole());
+  const PointLocator locator(plate);
+  const Vector3 p = Rational(1, 2) * Vector3{Uniform(-4, 17), Uniform(-4, 17), Uniform(-4, 9)};
+  Rational least = SquaredDistanceToFace(plate, plate.faces[0], p);
+  for (const Face& face : plate.faces) least = std::min(least, SquaredDistanceToFace(plate, face, p));
+  RC_ASSERT(locator.SquaredDistanceToSurface(p, -1) == least);
+  const Rational enough(Uniform(0, 12)), found = locator.SquaredDistanceToSurface(p, enough);
+  RC_ASSERT((least > enough ? found == least : found <= enough));
+  RC_ASSERT(locator.Locate(p) == Locate(plate, p));
 }
 
 }  // namespace
