@@ -1,9 +1,10 @@
 /// @file
-/// Which first-order motions a parallel edge-edge contact permits: the rule that its end points alone do not give.
-/// Model   The moving edge must stay out of the open wedge that its two separate planes cut off: there must be no point between the
-///         ends where both products of plane and velocity are negative. Velocity is linear along the edge, so this is
-///         a condition on the four products at the ends; it is quadratic, not a union of linear systems.
-///         At the ends alone the condition is weaker [ledger, thesis.2.1.singular-edges].
+/// Which first-order motions a parallel edge-edge contact permits: what its end points alone do not say.
+/// Model   The moving edge must stay out of the open wedge that its two separate planes cut off: there must be
+///         no point between the ends where both products of plane and velocity are negative. Velocity is
+///         linear along the edge, so this is a condition on the four products at the ends; it is quadratic,
+///         not a union of linear systems. At the ends alone the condition is weaker [ledger,
+///         thesis.2.1.singular-edges].
 /// Exact   rational.
 #pragma once
 

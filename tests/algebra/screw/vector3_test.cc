@@ -32,7 +32,9 @@ TEST(Vector3, CrossFollowsTheRightHand) {
   EXPECT_EQ(Cross({2, 3, 4}, {5, 6, 7}), (Vector3{-3, 6, -3}));
 }
 
-TEST(Vector3, PrintsItsEntries) { EXPECT_EQ(ToString(Vector3{1, Rational(-1, 2), 0}), "(1, -1/2, 0)"); }
+TEST(Vector3, PrintsItsEntries) {
+  EXPECT_EQ(ToString(Vector3{1, Rational(-1, 2), Rational(1, 3)}), "(1, -0.5, 1/3)");
+}
 
 RC_GTEST_PROP(Vector3Law, CrossAndDot, ()) {
   const Vector3 a = SmallVector(), b = SmallVector(), c = SmallVector();

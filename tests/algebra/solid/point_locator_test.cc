@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
+
+#include "algebra/solid/distance.h"
 #include "tests/algebra/solid/solids.h"
 #include "tests/algebra/uniform.h"
 
@@ -46,6 +49,18 @@ TEST(PointLocator, KnowsHoles) {
   EXPECT_EQ(locator.Locate({4, 4, 4}), Side::kOutside);
   EXPECT_EQ(locator.Locate({2, 4, 4}), Side::kOnBoundary);
   EXPECT_EQ(locator.SquaredDistanceToSurface({3, 4, 4}, kAnything), Rational(1));
+}
+
+// Leaving faces out changes nothing, inside or outside; what is near enough is only said to be.
+RC_GTEST_PROP(PointLocatorLaw, TheNearestFaceIsFound, ()) {
+  const Polyhedron plate = BuildPolyhedron(PlateWithHole());
+  const PointLocator locator(plate);
+  const Vector3 p = Rational(1, 2) * Vector3{Uniform(-4, 17), Uniform(-4, 17), Uniform(-4, 9)};
+  Rational least = SquaredDistanceToFace(plate, plate.faces[0], p);
+  for (const Face& face : plate.faces) least = std::min(least, SquaredDistanceToFace(plate, face, p));
+  RC_ASSERT(locator.SquaredDistanceToSurface(p, kAnything) == least);
+  const Rational enough(Uniform(0, 12)), found = locator.SquaredDistanceToSurface(p, enough);
+  RC_ASSERT((least > enough ? found == least : found <= enough));
 }
 
 }  // namespace
