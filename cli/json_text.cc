@@ -52,7 +52,9 @@ std::string ToJson(const algebra::Rational& value) {
   const std::string text = value.ToDecimal();
   // Readers that take numbers for doubles keep 15 digits.
   constexpr size_t kLongestNumber = 16;
-  return text.size() <= kLongestNumber && text.find('/') == std::string::npos ? text : "\"" + value.ToString() + "\"";
+  return text.size() <= kLongestNumber && text.find('/') == std::string::npos
+             ? text
+             : "\"" + value.ToString() + "\"";
 }
 
 std::string ToJson(const algebra::Vector3& v) {
