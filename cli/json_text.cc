@@ -1,17 +1,9 @@
 #include "cli/json_text.h"
 
-#include <array>
-#include <cstdio>
+#include <fmt/format.h>
 
 namespace tact::cli {
 namespace {
-
-template <typename... Values>
-std::string Format(const char* format, Values... values) {
-  std::array<char, 512> text;
-  std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
-}
 
 template <typename List, typename Print>
 std::string Join(const List& list, const Print& print) {
@@ -21,15 +13,15 @@ std::string Join(const List& list, const Print& print) {
 }
 
 std::string PlainToJson(const algebra::TranslationDof& dof) {
-  return Format(R"({"maintaining":%d,"detaching":%d,"constraining":%d,"restricted":%d})", dof.maintaining,
-                dof.detaching, dof.constraining, dof.restricted);
+  return fmt::format(R"({{"maintaining":{},"detaching":{},"constraining":{},"restricted":{}}})",
+                     dof.maintaining, dof.detaching, dof.constraining, dof.restricted);
 }
 
 std::string RotationToJson(const algebra::RotationDof& dof) {
-  return Format(R"({"maintaining":%d,"detaching":%d,"detaching_type1":%d,"detaching_type2":%d,)"
-                R"("constraining":%d,"restricted":%d})",
-                dof.maintaining, dof.detaching, dof.detaching_type1, dof.detaching_type2, dof.constraining,
-                dof.restricted);
+  return fmt::format(R"({{"maintaining":{},"detaching":{},"detaching_type1":{},"detaching_type2":{},)"
+                     R"("constraining":{},"restricted":{}}})",
+                     dof.maintaining, dof.detaching, dof.detaching_type1, dof.detaching_type2,
+                     dof.constraining, dof.restricted);
 }
 
 }  // namespace
@@ -40,7 +32,7 @@ std::string JsonString(const std::string& text) {
     if (c == '"' || c == '\\') {
       quoted += std::string("\\") + c;
     } else if (static_cast<unsigned char>(c) < 0x20) {
-      quoted += Format("\\u%04x", c);
+      quoted += fmt::format("\\u{:04x}", static_cast<int>(c));
     } else {
       quoted += c;
     }

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "cli/commands.h"
 #include "cli/json_text.h"
 #include "cli/output.h"
@@ -40,14 +42,7 @@ std::string ToJsonLine(const Recognition& recognition) {
   return text + "]}\n";
 }
 
-std::string Padded(std::string text, size_t width) {
-  if (text.size() < width) text.append(width - text.size(), ' ');
-  return text;
-}
-
-std::string Three(int a, int b, int c) {
-  return std::to_string(a) + " " + std::to_string(b) + " " + std::to_string(c);
-}
+std::string Three(int a, int b, int c) { return fmt::format("{} {} {}", a, b, c); }
 
 std::string Summary(const SeenRelation& r) {
   if (r.relation.contacts.empty()) return "nothing touches";
@@ -64,30 +59,33 @@ std::string Summary(const SeenRelation& r) {
   return text;
 }
 
+constexpr const char* kRelationRow = "{:<12}{:<10}{:<13}{:<10}{:<12}{}\n";
+
 std::string RelationTable(const Recognition& recognition) {
   std::string text =
       "maintaining, detaching, constraining DOFs (singular ones where marked s), then restricted DOFs in "
-      "translation and "
-      "rotation\n" +
-      Padded("relation", 12) + Padded("states", 10) + Padded("translation", 13) + Padded("rotation", 10) +
-      Padded("restricted", 12) + "contacts\n";
+      "translation "
+      "and rotation\n";
+  text +=
+      fmt::format(kRelationRow, "relation", "states", "translation", "rotation", "restricted", "contacts");
   for (const SeenRelation& r : recognition.relations) {
-    const auto& [t, w] = std::tie(r.dof.translation, r.dof.rotation);
+    const algebra::TranslationDof& t = r.dof.translation;
+    const algebra::RotationDof& w = r.dof.rotation;
     const std::string states =
         std::to_string(r.first) + (r.last > r.first ? "-" + std::to_string(r.last) : "");
-    text += Padded(r.name, 12) + Padded(states, 10) +
-            Padded(Three(t.maintaining, t.detaching, t.constraining) + (r.dof.singular ? " s" : ""), 13) +
-            Padded(Three(w.maintaining, w.detaching, w.constraining), 10) +
-            Padded(std::to_string(t.restricted) + " " + std::to_string(w.restricted), 12) + Summary(r) + "\n";
+    text += fmt::format(kRelationRow, r.name, states,
+                        Three(t.maintaining, t.detaching, t.constraining) + (r.dof.singular ? " s" : ""),
+                        Three(w.maintaining, w.detaching, w.constraining),
+                        fmt::format("{} {}", t.restricted, w.restricted), Summary(r));
   }
   return text;
 }
 
-// "maintaining -> detaching (translation, rotation)", one a line.
+// "translation  maintaining -> detaching", one a line.
 std::string DofTransitionLines(const algebra::Transition& t) {
   std::string text;
   for (const algebra::DofTransition& d : t.dof_transitions) {
-    text += "    " + Padded(ToString(d.motion), 13) + ToString(d.from) + " -> " + ToString(d.to) +
+    text += fmt::format("    {:<13}", ToString(d.motion)) + ToString(d.from) + " -> " + ToString(d.to) +
             (IsPractical(d) ? "" : "   (not practical)") + "\n";
   }
   return text;

@@ -87,19 +87,25 @@ Json PairToJson(const std::vector<Integer>& rows, int columns) {
   return Json{{"x", ToJson(pair.x)}, {"y", ToJson(pair.y)}};
 }
 
-Json RelationToJson(const ContactRelation& relation) {
-  Json contacts = Json::array();
-  std::vector<Integer> rows, forces;
-  for (const algebra::Contact& contact : relation.contacts) {
+Json ContactsToJson(const std::vector<algebra::Contact>& contacts) {
+  Json list = Json::array();
+  for (const algebra::Contact& contact : contacts) {
     Json entry{{"point", PointToJson(contact.point)}, {"planes", PlanesToJson(contact.planes)}};
     if (!contact.name.empty()) entry["name"] = contact.name;
-    contacts.push_back(entry);
+    list.push_back(entry);
+  }
+  return list;
+}
+
+Json RelationToJson(const ContactRelation& relation) {
+  std::vector<Integer> rows, forces;
+  for (const algebra::Contact& contact : relation.contacts) {
     if (contact.singular()) continue;
     const std::vector<Integer> row = WrittenRow(contact.point, contact.planes[0]);
     rows.insert(rows.end(), row.begin(), row.end());
     forces.insert(forces.end(), row.begin() + 3, row.end());
   }
-  return Json{{"contacts", contacts},
+  return Json{{"contacts", ContactsToJson(relation.contacts)},
               {"all", PairToJson(rows, 6)},
               {"translation", PairToJson(forces, 3)},
               {"dof", DofToJson(algebra::ComputeMotionDof(relation))}};
@@ -179,12 +185,13 @@ Certificate MotionDofCertificate(const std::string& name, const std::string& cla
   return Finish(name, certificate);
 }
 
-Certificate CensusCertificate(const std::string& name, const std::string& claim, const std::string& world,
-                              size_t count, const std::vector<CensusClass>& classes,
+Certificate CensusCertificate(const std::string& name, const std::string& claim,
+                              const enumerators::ContactWorld& world, const std::vector<CensusClass>& classes,
                               const std::vector<Assertion>& asserts) {
   Json certificate = Head(claim, "census");
-  certificate["world"] = world;
-  certificate["count"] = count;
+  certificate["world"] = world.sentence;
+  certificate["generator"] = Json{{"contacts", ContactsToJson(world.contacts)}, {"largest", world.largest}};
+  certificate["count"] = Count(world);
   Json list = Json::array();
   for (const CensusClass& c : classes)
     list.push_back(Json{{"count", c.count}, {"relation", RelationToJson(c.witness)}});

@@ -10,6 +10,7 @@
 #include "algebra/contact/contact_relation.h"
 #include "algebra/contact/dof_transition.h"
 #include "algebra/contact/motion_dof.h"
+#include "enumerators/contact_world.h"
 #include "provers/certificate.h"
 
 namespace tact::provers {
@@ -36,8 +37,9 @@ using Changes = std::vector<std::pair<std::string, int>>;
 Certificate MotionDofCertificate(const std::string& name, const std::string& claim,
                                  const algebra::ContactRelation& relation,
                                  const std::vector<Assertion>& asserts);
-Certificate CensusCertificate(const std::string& name, const std::string& claim, const std::string& world,
-                              size_t count, const std::vector<CensusClass>& classes,
+/// The classes of a world with all their members; witnesses are relations of the world.
+Certificate CensusCertificate(const std::string& name, const std::string& claim,
+                              const enumerators::ContactWorld& world, const std::vector<CensusClass>& classes,
                               const std::vector<Assertion>& asserts);
 /// Transitions from each relation to the next; expects names transitions by their place in the sequence.
 Certificate TransitionsCertificate(

@@ -1,14 +1,12 @@
 /// @file
 /// Polyhedral convex cones in any dimension: half-space data, generators, faces, projection, membership.
 /// Model   A cone is { x | A x >= 0, E x = 0 } and, as well, { L^T s + R^T t | t >= 0 } (Minkowski and Weyl).
-/// A's rows are
-///         inequalities, E's equalities, L's lines, R's rays. The lineality space is its largest linear
-///         subspace.
+///         A's rows are inequalities, E's equalities, L's lines, R's rays. The lineality space is its largest
+///         linear subspace.
 /// Shapes  every matrix has the ambient dimension as its number of columns; a vector is a row.
-/// Exact   integers; 64-bit with overflow detection, GMP from the first overflow on. The answers never
-/// differ. Errors  PreconditionError: a zero row among inequalities, equalities, lines or rays (the message
-/// names it), or
-///         matrices of different widths.
+/// Exact   64-bit with overflow detection, GMP from the first overflow on; the answers never differ.
+/// Errors  PreconditionError: a zero row among inequalities, equalities, lines or rays (the message names
+///         it), or matrices of different widths.
 #pragma once
 
 #include <functional>

@@ -23,11 +23,26 @@ class IntersectionWalk {
 
  private:
   // The members are members_[begin ..], their intersection is closures_.back(); both are as on entry on
-  // return.
+  // return. Deciding c enters a smaller face, so the recursion is no deeper than the lattice of faces is high;
+  // deciding s goes on in the loop.
   bool Walk(size_t row, size_t begin) {
-    while (row < bound_ && closures_.back().Contains(row)) ++row;
     const size_t end = members_.size();
-    if (row == bound_) return visitor_(closures_.back(), {members_.data() + begin, end - begin});
+    const size_t first = row;
+    bool go_on = true;
+    for (; go_on && row < bound_; ++row) {
+      if (closures_.back().Contains(row)) continue;
+      go_on = WalkKeeping(row, begin, end);
+      outside_.Insert(row);
+    }
+    if (go_on) go_on = visitor_(closures_.back(), {members_.data() + begin, end - begin});
+    for (size_t decided = first; decided < row; ++decided) {
+      if (!closures_.back().Contains(decided)) outside_.Erase(decided);
+    }
+    return go_on;
+  }
+
+  // The branch where the row is c, if there is one.
+  bool WalkKeeping(size_t row, size_t begin, size_t end) {
     RowSet narrowed = RowSet::All(bound_);
     for (size_t i = begin; i < end; ++i) {
       const size_t member = members_[i];
@@ -42,10 +57,6 @@ class IntersectionWalk {
       closures_.pop_back();
     }
     members_.resize(end);
-    if (!go_on) return false;
-    outside_.Insert(row);
-    go_on = Walk(row + 1, begin);
-    outside_.Erase(row);
     return go_on;
   }
 

@@ -1,12 +1,11 @@
 /// @file
-/// Which rows of a cone { x | A x >= 0 } vanish on all of it: an exact dual simplex method on at most 6
-/// columns. Model   Keep r = rank A independent rows B and M = det(B) B^-1, whose columns are the rays of the
-/// simplicial
-///         cone { B x >= 0 }; their sum x has B x = det(B) > 0. A row a with a x <= 0 enters the basis by the
-///         dual simplex rule for min g x, A x >= 1 (g the sum of the first basis, so that it starts dual
-///         feasible; Bland's rule after kPatience pivots, hence finite). If a = sum_j c_j b_j / det(B) has no
-///         positive c_j, then a and every b_j with c_j < 0 vanish on the cone; their slots are dropped and
-///         the search goes on in the subspace that is left.
+/// Which rows of a cone { x | A x >= 0 } vanish on all of it: an exact dual simplex method, n <= 6.
+/// Model   Keep r = rank A independent rows B and M = det(B) B^-1, whose columns are the rays of the
+///         simplicial cone { B x >= 0 }; their sum x has B x = det(B) > 0. A row a with a x <= 0 enters the
+///         basis by the dual simplex rule for min g x, A x >= 1 (g the sum of the first basis, so that it
+///         starts dual feasible; Bland's rule after kPatience pivots, hence finite). If a = sum_j c_j b_j /
+///         det(B) has no positive c_j, then a and every b_j with c_j < 0 vanish on the cone; their slots are
+///         dropped and the search goes on in the subspace that is left.
 /// Exact   fraction-free [Bareiss 1968]: M stays integer, divisions leave no remainder. For T = int64_t every
 ///         product is formed in 128 bits and a result that does not fit ends the run with kOverflow.
 /// Cost    O(m n) a pivot to find the entering row, O(n^2) to change the basis; no allocation.

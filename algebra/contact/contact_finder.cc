@@ -157,13 +157,13 @@ class Finder {
   // Solids that overlap with every vertex and edge on the other's surface: look between the corners.
   Penetration DeepestMidpoint() const {
     Penetration deepest{corners_.front(), Rational(0)};
+    const SurfaceDistance moving_surface(moving_.solid), fixed_surface(fixed_.solid);
     for (size_t i = 0; i < corners_.size(); ++i) {
       for (size_t j = i + 1; j < corners_.size(); ++j) {
         const Vector3 middle = Rational(1, 2) * (corners_[i] + corners_[j]);
         if (Locate(moving_.solid, middle) != Side::kInside || Locate(fixed_.solid, middle) != Side::kInside)
           continue;
-        const Rational depth = std::min(SquaredDistanceToBoundary(moving_.solid, middle),
-                                        SquaredDistanceToBoundary(fixed_.solid, middle));
+        const Rational depth = std::min(moving_surface.Squared(middle), fixed_surface.Squared(middle));
         if (depth > deepest.squared_depth) deepest = {middle, depth};
       }
     }

@@ -1,16 +1,15 @@
 /// @file
 /// From two polyhedra in place to their contact relation [thesis, 2.1].
 /// Model   The corners of the contact region are the pairs of elements at most `tolerance` apart that no
-/// closer
-///         pair of lower dimension explains: vertex-vertex, vertex-edge, edge-vertex, vertex-face,
+///         closer pair of lower dimension explains: vertex-vertex, vertex-edge, edge-vertex, vertex-face,
 ///         face-vertex, edge-edge (crossing). At each, every convex piece of the moving solid against every
 ///         piece of the fixed one gives a contacting point with its separate planes (separate_planes.h); the
 ///         motion must respect them all. Line and area contacts are their corners: along them the planes stay
 ///         the same and velocity is linear. (For a parallel edge-edge contact, whose planes are a union, the
 ///         corners admit more than the edge between them: see the ledger, thesis.2.1.singular-edges.)
 /// Frames  both solids, the points and the normals in one frame, usually the fixed solid's.
-/// Exact   every decision; the tolerance is a distance that the caller gives. With zero only true contact
-/// counts. Cost    O(V (V + E + F) + E^2) box tests, exact arithmetic for the near ones.
+/// Exact   every decision; the tolerance is a distance that the caller gives. With zero only contact counts.
+/// Cost    O(V (V + E + F) + E^2) box tests, exact arithmetic for the near ones.
 #pragma once
 
 #include <optional>

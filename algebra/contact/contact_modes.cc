@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 
 #include "algebra/cone/cone.h"
 #include "algebra/contact/contact_rows.h"
@@ -52,21 +53,45 @@ HalfspaceCone Cell(const std::vector<std::vector<IntegerVector>>& contacts,
   return HalfspaceCone(std::move(rows));
 }
 
+// Contacts that the same rays keep are kept by the same faces: they are one column. Columns are numbered in the order
+// of their first contacts, so the order of modes is that of columns.
+struct Columns {
+  std::vector<size_t> of_contact;
+  size_t count = 0;
+};
+
+Columns GroupContacts(const ConeGenerators& generators, size_t contacts) {
+  Columns columns;
+  std::map<std::vector<size_t>, size_t> column_of_rays;
+  for (size_t i = 0; i < contacts; ++i) {
+    std::vector<size_t> rays;
+    for (size_t k = 0; k < generators.tight.size(); ++k) {
+      if (generators.tight[k].Contains(i)) rays.push_back(k);
+    }
+    const auto [at, fresh] = column_of_rays.try_emplace(std::move(rays), columns.count);
+    if (fresh) ++columns.count;
+    columns.of_contact.push_back(at->second);
+  }
+  return columns;
+}
+
 std::vector<std::string> ModesOfCell(const HalfspaceCone& cell, size_t contacts, size_t max_modes) {
+  const ConeGenerators generators = Generators(cell);
+  const Columns columns = GroupContacts(generators, contacts);
   std::vector<RowSet> tight;
-  for (const RowSet& all_rows : Generators(cell).tight) {
-    RowSet& of_contacts = tight.emplace_back(contacts);
+  for (const RowSet& all_rows : generators.tight) {
+    RowSet& of_columns = tight.emplace_back(columns.count);
     for (size_t i = 0; i < contacts; ++i) {
-      if (all_rows.Contains(i)) of_contacts.Insert(i);
+      if (all_rows.Contains(i)) of_columns.Insert(columns.of_contact[i]);
     }
   }
   std::vector<std::string> modes;
   const bool complete =
-      VisitIntersections(tight, contacts, [&](const RowSet& kept, std::span<const size_t> /*rays*/) {
+      VisitIntersections(tight, columns.count, [&](const RowSet& kept, std::span<const size_t> /*rays*/) {
         if (modes.size() == max_modes) return false;
         std::string& mode = modes.emplace_back(contacts, 's');
         for (size_t i = 0; i < contacts; ++i) {
-          if (kept.Contains(i)) mode[i] = 'c';
+          if (kept.Contains(columns.of_contact[i])) mode[i] = 'c';
         }
         return true;
       });

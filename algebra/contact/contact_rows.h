@@ -1,7 +1,7 @@
 /// @file
 /// The integer rows of a contact relation: one row [ p x n | n ] for each separate plane [thesis, eq. (2.2)].
-/// Shapes  six integers a row, without a common factor; rows in contact order, a contact's planes in their
-/// order. Exact   64-bit while every entry of every row is below 2^60; otherwise all rows are Integers.
+/// Shapes  six integers a row, without a common factor; rows in contact order, a contact's planes in theirs.
+/// Exact   64-bit while every entry of every row is below 2^60; otherwise all rows are Integers.
 #pragma once
 
 #include <cstdint>

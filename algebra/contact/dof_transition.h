@@ -1,9 +1,8 @@
 /// @file
 /// From two neighbouring contact relations' motion DOFs to DOF-transitions, sub-skills and criticality.
 /// Model   [thesis, 2.3-2.6]. Six indices for translation and six for rotation; a DOF-transition pairs an
-/// index that
-///         decreases with one that increases. Where several indices decrease and several increase, the text
-///         does not say how they pair: every pair is listed (`ambiguous` says so).
+///         index that decreases with one that increases. Where several indices decrease and several increase,
+///         the text does not say how they pair: every pair is listed (`ambiguous` says so).
 #pragma once
 
 #include <array>

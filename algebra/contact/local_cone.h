@@ -1,11 +1,10 @@
 /// @file
 /// What a polyhedron looks like from one of its points: a union of convex cones.
-/// Model   The tangent cone of a solid at a point is the union of pieces { d | n . d <= 0 for the piece's
-/// outward
-///         normals n }: one half-space at a face, one wedge at a convex edge, two half-spaces at a concave
-///         edge, one cone at a convex vertex, and in general the largest intersections of incident faces'
-///         half-spaces that fit in (such pieces always cover: every polygon is a monotone formula of its
-///         edges' half-planes).
+/// Model   The tangent cone of a solid at a point is the union of pieces { d | n . d <= 0 for the outward
+///         normals n of the piece }: one half-space at a face, one wedge at a convex edge, two half-spaces at
+///         a concave edge, one cone at a convex vertex, and in general the largest intersections of incident
+///         faces' half-spaces that fit in (such pieces always cover: every polygon is a monotone formula of
+///         its edges' half-planes).
 /// Exact   rational; directions carry the length over which the solid really has them.
 #pragma once
 

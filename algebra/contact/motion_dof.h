@@ -1,8 +1,8 @@
 /// @file
 /// Motion degrees of freedom of a contact relation [thesis, 2.2, 2.6].
 /// Model   With rows a_i = [ p_i x n_i | n_i ], K = { V = [w ; v] | A V >= 0 }, I_a its implicit equalities,
-/// T = { v | N v >= 0 }
-///         the legal translations, I_t their implicit equalities, and rank(I) the rank of the rows in I:
+///         T = { v | N v >= 0 } the legal translations, I_t their implicit equalities, and rank(I) the rank
+///         of the rows in I:
 ///           m_a = 6 - rank A,  c_a = rank A(I_a),  d_a = 6 - m_a - c_a                    [eq. (2.4)]
 ///           m_t = 3 - rank N,  c_t = rank N(I_t),  d_t = 3 - m_t - c_t                    [eq. (2.3)]
 ///           m_r = m_a - m_t,   c_r = rank A(I_a) - rank N(I_a),  d_r = 3 - m_r - c_r      [Prop. 1-3]

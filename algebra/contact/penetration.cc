@@ -20,6 +20,7 @@ class Search {
 
   void Skeleton(const Polyhedron& skeleton, const Polyhedron& solid) {
     const BoundingBox whole = BoxOf(solid);
+    const SurfaceDistance surface(solid);
     std::vector<BoundingBox> face_boxes;
     for (const Face& face : solid.faces) {
       face_boxes.emplace_back();
@@ -28,30 +29,31 @@ class Search {
     for (const Vertex& v : skeleton.vertices) {
       BoundingBox box;
       box.Add(v.point);
-      if (box.Near(whole, 0)) Look(solid, v.point);
+      if (box.Near(whole, 0)) Look(solid, surface, v.point);
     }
     for (const Edge& edge : skeleton.edges) {
       const Vector3 &a = skeleton.vertices[edge.tail].point, &b = skeleton.vertices[edge.head].point;
       BoundingBox box;
       box.Add(a);
       box.Add(b);
-      if (box.Near(whole, 0)) LookAlong(solid, face_boxes, box, a, b);
+      if (box.Near(whole, 0)) LookAlong(solid, surface, face_boxes, box, a, b);
     }
   }
 
   const std::optional<Penetration>& deepest() const { return deepest_; }
 
  private:
-  void Look(const Polyhedron& solid, const Vector3& p) {
+  void Look(const Polyhedron& solid, const SurfaceDistance& surface, const Vector3& p) {
     if (Locate(solid, p) != Side::kInside) return;
-    const Rational depth = SquaredDistanceToBoundary(solid, p);
+    const Rational depth = surface.Squared(p);
     if (depth <= squared_tolerance_ || (deepest_ && depth <= deepest_->squared_depth)) return;
     deepest_ = Penetration{p, depth};
   }
 
   // Between two points where the edge meets the surface it is inside, outside, or on it all along.
-  void LookAlong(const Polyhedron& solid, const std::vector<BoundingBox>& face_boxes, const BoundingBox& box,
-                 const Vector3& a, const Vector3& b) {
+  void LookAlong(const Polyhedron& solid, const SurfaceDistance& surface,
+                 const std::vector<BoundingBox>& face_boxes, const BoundingBox& box, const Vector3& a,
+                 const Vector3& b) {
     std::vector<Rational> cuts = {0, 1};
     for (size_t f = 0; f < solid.faces.size(); ++f) {
       if (!box.Near(face_boxes[f], 0)) continue;
@@ -63,7 +65,8 @@ class Search {
     }
     std::sort(cuts.begin(), cuts.end());
     for (size_t i = 0; i + 1 < cuts.size(); ++i) {
-      if (cuts[i] != cuts[i + 1]) Look(solid, a + (Rational(1, 2) * (cuts[i] + cuts[i + 1])) * (b - a));
+      if (cuts[i] != cuts[i + 1])
+        Look(solid, surface, a + (Rational(1, 2) * (cuts[i] + cuts[i + 1])) * (b - a));
     }
   }
 

@@ -1,13 +1,12 @@
 /// @file
 /// The separate planes of two convex pieces that touch in one point [thesis, 2.1].
-/// Model   The extreme rays of { n | n . a <= 0 for a in the fixed piece, n . b >= 0 for b in the moving
-/// piece }: each is
-///         a facet normal of the fixed piece, the reverse of one of the moving piece, or square to a ray of
-///         each (edge-edge). The motion is legal when some plane's n . v >= 0: v must stay out of the
-///         interior of fixed - moving, a convex cone with these facets.
+/// Model   The extreme rays of the cone { n | n . a <= 0 for a in the fixed piece, n . b >= 0 for b in the
+///         moving one }: each is a facet normal of the fixed piece, the reverse of one of the moving piece,
+///         or square to a ray of each (edge-edge). The motion is legal when some plane's n . v >= 0: v must
+///         stay out of the interior of fixed - moving, a convex cone with these facets.
 /// Exact   with tolerance zero. A positive tolerance (in the solids' length unit) lets the pieces'
-/// directions, which carry the solids'
-///         lengths, reach that far over the plane, and takes planes for one that differ by no more.
+///         directions, which carry the solids' lengths, reach that far over the plane, and takes planes for
+///         one that differ by no more.
 #pragma once
 
 #include <vector>

@@ -1,12 +1,11 @@
 /// @file
 /// Rank, null space, row space and solutions of linear systems, without fractions.
 /// Model   Fraction-free Gauss-Jordan elimination: every intermediate entry is a minor of the matrix, each
-/// division is exact
-///         [Bareiss 1968].
+///         division is exact [Bareiss 1968].
 /// Exact   64-bit with overflow detection, GMP from the first overflow on; the answers never differ.
 /// Errors  PreconditionError: shapes that do not match.
 /// Cost    O(rows columns rank) operations; nothing is allocated inside the elimination while numbers fit in
-/// 64 bits.
+///         64 bits.
 #pragma once
 
 #include <optional>

@@ -1,9 +1,9 @@
 /// @file
 /// 64-bit integers that throw on overflow: the fast scalar of kernels written once for Word and for Integer.
 /// Model   A kernel is a template over its scalar; WordsFirst runs it on Word and, from the first overflow
-/// on, again on Integer. Exact   no operation wraps; a result is right or WordOverflow is thrown. The value
-/// -2^63 is never held. Cost    one overflow-checked machine operation; MultiplySubtractDivide uses 128 bits
-/// where 64 do not do.
+///         on, again on Integer.
+/// Exact   no operation wraps; a result is right or WordOverflow is thrown. The value -2^63 is never held.
+/// Cost    one overflow-checked machine operation; MultiplySubtractDivide uses 128 bits where 64 do not do.
 #pragma once
 
 #include <cstdint>

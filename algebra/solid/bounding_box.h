@@ -31,6 +31,17 @@ struct BoundingBox {
       high[i] = std::max(high[i], other.high[i]);
     }
   }
+  /// At most the squared distance of the point to the box.
+  double SquaredDistanceBelow(const Vector3& point) const {
+    BoundingBox box;
+    box.Add(point);
+    double sum = 0;
+    for (int i = 0; i < 3; ++i) {
+      const double gap = std::max({0.0, low[i] - box.high[i], box.low[i] - high[i]});
+      sum += gap * gap;
+    }
+    return sum * (1 - 1e-9);
+  }
   /// Whether some point of this box is within the distance of some point of the other along every axis.
   bool Near(const BoundingBox& other, double distance) const {
     for (int i = 0; i < 3; ++i) {

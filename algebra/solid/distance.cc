@@ -73,11 +73,23 @@ Rational SquaredDistanceToFace(const Polyhedron& solid, const Face& face, const 
   return least;
 }
 
-Rational SquaredDistanceToBoundary(const Polyhedron& solid, const Vector3& point) {
-  Rational least(-1);
+SurfaceDistance::SurfaceDistance(const Polyhedron& solid) : solid_(solid) {
   for (const Face& face : solid.faces) {
-    const Rational d = SquaredDistanceToFace(solid, face, point);
-    if (least.sign() < 0 || d < least) least = d;
+    boxes_.emplace_back();
+    for (const size_t v : face.loops[0]) boxes_.back().Add(solid.vertices[v].point);
+  }
+}
+
+Rational SurfaceDistance::Squared(const Vector3& point) const {
+  // The face with the nearest box goes first; it rules most of the others out.
+  std::vector<double> bounds;
+  for (const BoundingBox& box : boxes_) bounds.push_back(box.SquaredDistanceBelow(point));
+  const size_t first = static_cast<size_t>(std::min_element(bounds.begin(), bounds.end()) - bounds.begin());
+  Rational least = SquaredDistanceToFace(solid_, solid_.faces[first], point);
+  for (size_t f = 0; f < bounds.size(); ++f) {
+    if (f == first || bounds[f] > ToDouble(least) * (1 + 1e-9)) continue;
+    const Rational d = SquaredDistanceToFace(solid_, solid_.faces[f], point);
+    if (d < least) least = d;
   }
   return least;
 }

@@ -4,6 +4,7 @@
 /// Units   the coordinates' length unit, squared for distances.
 #pragma once
 
+#include "algebra/solid/bounding_box.h"
 #include "algebra/solid/polyhedron.h"
 
 namespace tact::algebra {
@@ -29,7 +30,17 @@ bool FaceContains(const Polyhedron& solid, const Face& face, const Vector3& poin
 
 Rational SquaredDistance(const Vector3& a, const Vector3& b);
 Rational SquaredDistanceToFace(const Polyhedron& solid, const Face& face, const Vector3& point);
-/// To the solid's surface.
-Rational SquaredDistanceToBoundary(const Polyhedron& solid, const Vector3& point);
+
+/// Distances to a solid's surface, many of them: faces whose box is too far are not looked at. Keeps a reference to the solid.
+class SurfaceDistance {
+ public:
+  explicit SurfaceDistance(const Polyhedron& solid);
+  /// Squared, to the nearest face.
+  Rational Squared(const Vector3& point) const;
+
+ private:
+  const Polyhedron& solid_;
+  std::vector<BoundingBox> boxes_;
+};
 
 }  // namespace tact::algebra

@@ -1,7 +1,7 @@
 /// @file
-/// Half-edges of a polygon soup: the closed, oriented surfaces that its polygons form, before faces are
-/// merged. Model   half-edge h runs from tail to head with its polygon on the left seen from outside; twin
-/// runs back. Exact   rational coordinates; no tolerance anywhere.
+/// Half-edges of a polygon soup: the closed, oriented surfaces its polygons form, before faces are merged.
+/// Model   half-edge h runs from tail to head with its polygon on the left seen from outside; twin runs back.
+/// Exact   rational coordinates; no tolerance anywhere.
 #pragma once
 
 #include <string>

@@ -17,6 +17,8 @@ struct Answer {
   bool accepted = false;
   std::string why;    // of a refusal: `relation.contacts[3].planes[0]: zero normal`
   std::string claim;  // the claim it names; empty if it could not be read
+  /// Of an accepted census whose world was not counted again: why not.
+  std::string not_recounted;
 };
 
 Answer CheckCertificate(std::string_view text);
@@ -29,6 +31,7 @@ struct Refusal {
 struct Report {
   std::size_t accepted = 0;             // certificates
   std::vector<Refusal> refused;         // certificates, and what a ledger gets wrong about them
+  std::vector<Refusal> not_recounted;   // accepted censuses whose world was not counted again
   std::vector<std::string> unreadable;  // `file: why`
 };
 

@@ -46,6 +46,7 @@ void CheckFile(const fs::path& path, Report& report, std::string& claim) {
   claim = answer.claim;
   if (answer.accepted) {
     ++report.accepted;
+    if (!answer.not_recounted.empty()) report.not_recounted.push_back({path.string(), answer.not_recounted});
   } else {
     report.refused.push_back({path.string(), answer.why});
   }

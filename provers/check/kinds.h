@@ -4,6 +4,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <string>
 #include <string_view>
 
 #include "provers/check/json_value.h"
@@ -19,7 +20,8 @@ void ExpectCertificateKeys(const Value& certificate, std::initializer_list<std::
                            std::initializer_list<std::string_view> optional = {});
 
 void CheckMotionDofs(const Value& certificate);
-void CheckCensus(const Value& certificate);
+/// Why the world was not counted again; empty if it was.
+std::string CheckCensus(const Value& certificate);
 void CheckTransitions(const Value& certificate);
 void CheckBasis(const Value& certificate);
 void CheckIllReducedSingular(const Value& certificate);

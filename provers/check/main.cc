@@ -17,7 +17,8 @@ constexpr char kHelp[] =
     "ledger.json\n"
     "says of them are checked, or a folder of .json certificates.\n"
     "\n"
-    "  --json   print {\"accepted\":N,\"refused\":[{\"file\":...,\"why\":...},...]}\n"
+    "  --json   print {\"accepted\":N,\"refused\":[{\"file\":...,\"why\":...},...],\"not_recounted\":[the "
+    "same]}\n"
     "  --help   print this\n"
     "\n"
     "Exit status: 0 all accepted, 1 something refused, 2 bad usage or an unreadable file, 3 an error of "
@@ -30,11 +31,16 @@ constexpr char kHelp[] =
 void PrintJson(const tact::check::Report& report) {
   nlohmann::ordered_json out = {{"accepted", report.accepted}, {"refused", nlohmann::ordered_json::array()}};
   for (const auto& [file, why] : report.refused) out["refused"].push_back({{"file", file}, {"why", why}});
+  out["not_recounted"] = nlohmann::ordered_json::array();
+  for (const auto& [file, why] : report.not_recounted)
+    out["not_recounted"].push_back({{"file", file}, {"why", why}});
   std::puts(out.dump(-1, ' ', true, nlohmann::ordered_json::error_handler_t::replace).c_str());
 }
 
 void PrintText(const tact::check::Report& report) {
   for (const auto& [file, why] : report.refused) std::printf("%s: refused: %s\n", file.c_str(), why.c_str());
+  for (const auto& [file, why] : report.not_recounted)
+    std::printf("%s: accepted, but its world was not counted again: %s\n", file.c_str(), why.c_str());
   std::printf("%zu certificates accepted, %zu refused\n", report.accepted, report.refused.size());
 }
 

@@ -26,6 +26,27 @@ std::size_t IndexOf(std::string_view name) {
 
 int& MotionNumbers::operator[](std::string_view name) { return values.at(IndexOf(name)); }
 
+MotionNumbers FromRanks(const Ranks& ranks) {
+  MotionNumbers dof;
+  dof.singular = ranks.singular;
+  dof["all.maintaining"] = 6 - ranks.a;
+  dof["all.constraining"] = ranks.a_in_all;
+  dof["all.detaching"] = ranks.a - ranks.a_in_all;
+  dof["translation.maintaining"] = 3 - ranks.n;
+  dof["translation.constraining"] = ranks.n_in_translation;
+  dof["translation.detaching"] = ranks.n - ranks.n_in_translation;
+  const int maintaining = dof["rotation.maintaining"] = 3 - (ranks.a - ranks.n);
+  const int constraining = dof["rotation.constraining"] = ranks.a_in_all - ranks.n_in_all;
+  const int detaching = dof["rotation.detaching"] = 3 - maintaining - constraining;
+  const int type1 = dof["rotation.detaching_type1"] =
+      3 - (ranks.a_in_translation - ranks.n_in_translation) - maintaining;
+  dof["rotation.detaching_type2"] = detaching - type1;
+  dof["all.restricted"] = ranks.planes;
+  dof["translation.restricted"] = ranks.plane_forces;
+  dof["rotation.restricted"] = ranks.planes - ranks.plane_forces;
+  return dof;
+}
+
 void ExpectNumbers(const Value& dof, const MotionNumbers& numbers) {
   ExpectKeys(dof, {"singular", "translation", "rotation", "all"});
   ExpectKeys(At(dof, "translation"), {"maintaining", "detaching", "constraining", "restricted"});

@@ -29,6 +29,17 @@ struct MotionNumbers {
   friend auto operator<=>(const MotionNumbers&, const MotionNumbers&) = default;
 };
 
+/// The ranks that motion DOFs follow from, with A, N, A', N', I_a, I_t as in docs/certificates.md.
+struct Ranks {
+  bool singular = false;
+  int a = 0, n = 0;
+  int a_in_all = 0, n_in_all = 0;                  // A[I_a], N[I_a]
+  int a_in_translation = 0, n_in_translation = 0;  // A[I_t], N[I_t]
+  int planes = 0, plane_forces = 0;                // A', N'
+  friend auto operator<=>(const Ranks&, const Ranks&) = default;
+};
+MotionNumbers FromRanks(const Ranks& ranks);
+
 /// The position of a name in kIndexNames; kIndexNames.size() if it is none.
 std::size_t IndexOf(std::string_view name);
 

@@ -10,6 +10,13 @@ using algebra::ContactRelation;
 using algebra::MotionDof;
 using enumerators::ContactWorld;
 
+size_t CensusSize(Effort effort) {
+  return effort == Effort::kQuick ? 3 : (effort == Effort::kStandard ? 4 : 5);
+}
+size_t ProjectionSize(Effort effort) {
+  return effort == Effort::kQuick ? 2 : (effort == Effort::kStandard ? 3 : 4);
+}
+
 Census TakeCensus(const ContactWorld& world) {
   std::map<MotionDof, CensusClass> classes;
   Census census{world, 0, {}};
@@ -28,12 +35,39 @@ Census TakeCensus(const ContactWorld& world) {
   return census;
 }
 
-std::vector<CensusClass> Violations(const Census& census, const Assertion& assertion) {
-  std::vector<CensusClass> violations;
+const CensusClass* SmallestClass(const Census& census,
+                                 const std::function<bool(const MotionDof&)>& property) {
+  const CensusClass* smallest = nullptr;
   for (const CensusClass& c : census.classes) {
-    if (!Holds(assertion, c.dof)) violations.push_back(c);
+    if (!property(c.dof)) continue;
+    if (smallest == nullptr || c.witness.contacts.size() < smallest->witness.contacts.size()) smallest = &c;
   }
-  return violations;
+  return smallest;
+}
+
+Outcome LawsHoldThroughout(const ContactWorld& world, const std::string& claim_id,
+                           const std::vector<Assertion>& laws, const std::string& prose) {
+  const Census census = TakeCensus(world);
+  Outcome outcome;
+  outcome.bound = world.sentence;
+  outcome.numbers = {{"relations", static_cast<long long>(census.count)},
+                     {"classes", static_cast<long long>(census.classes.size())}};
+  outcome.verdict = Verdict::kHoldsTo;
+  outcome.evidence = prose;
+  for (size_t i = 0; i < laws.size(); ++i) {
+    const CensusClass* failure =
+        SmallestClass(census, [&](const MotionDof& dof) { return !Holds(laws[i], dof); });
+    if (failure == nullptr) continue;
+    outcome.verdict = Verdict::kRefuted;
+    outcome.evidence += "\n\nSmallest counterexample to law " + std::to_string(i + 1) + ": " +
+                        Describe(failure->witness) + ".";
+    outcome.certificates.push_back(MotionDofCertificate(claim_id + ".counterexample-" + std::to_string(i + 1),
+                                                        claim_id, failure->witness, {}));
+  }
+  if (outcome.verdict == Verdict::kHoldsTo) {
+    outcome.certificates = {CensusCertificate(claim_id + ".census", claim_id, world, census.classes, laws)};
+  }
+  return outcome;
 }
 
 std::optional<ContactRelation> FirstFailure(
@@ -87,7 +121,13 @@ std::vector<std::string> DofCells(const MotionDof& dof) {
 }
 
 std::vector<std::string> DofHeader() {
-  return {"", "translation m d c", "rotation m d c", "Type I / II", "all motion m d c", "restricted t r a"};
+  // The letters of a heading stay together where it is broken.
+  return {"",
+          "translation m\u00a0d\u00a0c",
+          "rotation m\u00a0d\u00a0c",
+          "Type I\u00a0/\u00a0II",
+          "all motion m\u00a0d\u00a0c",
+          "restricted t\u00a0r\u00a0a"};
 }
 
 }  // namespace tact::provers

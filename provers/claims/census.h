@@ -12,6 +12,10 @@
 
 namespace tact::provers {
 
+/// How many contacts the worlds have at most: where ranks are computed, and where true projections are.
+size_t CensusSize(Effort effort);
+size_t ProjectionSize(Effort effort);
+
 struct Census {
   enumerators::ContactWorld world;
   size_t count = 0;
@@ -21,8 +25,14 @@ struct Census {
 
 Census TakeCensus(const enumerators::ContactWorld& world);
 
-/// The classes for which the assertion fails.
-std::vector<CensusClass> Violations(const Census& census, const Assertion& assertion);
+/// The class with the given property whose witness has the fewest contacts; nullptr if there is none.
+const CensusClass* SmallestClass(const Census& census,
+                                 const std::function<bool(const algebra::MotionDof&)>& property);
+
+/// An outcome for linear laws of the DOF indices over a world, with every class and a witness in the certificate: holds to
+/// n, or refuted with a smallest counterexample. `prose` begins the evidence.
+Outcome LawsHoldThroughout(const enumerators::ContactWorld& world, const std::string& claim_id,
+                           const std::vector<Assertion>& laws, const std::string& prose);
 
 /// The first relation of the world for which the statement fails, if there is one.
 std::optional<algebra::ContactRelation> FirstFailure(

@@ -10,7 +10,9 @@ namespace tact::provers {
 
 /// [thesis, 2.1]: legal infinitesimal displacement.
 std::vector<Claim> DisplacementClaims();
-/// [thesis, 2.2.1 and A.1]: motion DOFs of non-singular relations.
+/// [thesis, 2.2.1]: Propositions 1 to 6.
+std::vector<Claim> PropositionClaims();
+/// [thesis, 2.2.1, 2.3.1, 2.6 and A.1]: more on the motion DOFs of non-singular relations.
 std::vector<Claim> MotionDofClaims();
 /// [thesis, 2.2.2-2.6]: singular relations, restricted DOFs, sub-skill rules.
 std::vector<Claim> SingularClaims();

@@ -128,9 +128,10 @@ Figure Draw(const Insertion& insertion, size_t i, const View& view) {
       {Transform(insertion.models.moving, insertion.states[r.first - 1].pose.pose), Part::kMoving}};
   const auto& [t, w] = std::tie(r.dof.translation, r.dof.rotation);
   std::ostringstream caption;
-  caption << r.name << (r.dof.singular ? " (singular)" : "") << ": " << t.maintaining << ' ' << t.detaching
-          << ' ' << t.constraining << " / " << w.maintaining << ' ' << w.detaching << ' ' << w.constraining
-          << " / " << t.restricted << ' ' << w.restricted;
+  caption << r.name << (r.dof.singular ? " (singular)" : "") << ": m d c " << t.maintaining << ' '
+          << t.detaching << ' ' << t.constraining << " in translation, " << w.maintaining << ' '
+          << w.detaching << ' ' << w.constraining << " in rotation; restricted " << t.restricted << " and "
+          << w.restricted;
   return {caption.str(), DrawContactRelation(solids, r.relation, view)};
 }
 
@@ -206,7 +207,11 @@ Outcome TryRelations(Effort) {
       "at a tilt, 4 / cos(tilt), and it is 4 long; so without clearance it fits at tilt zero only. The near "
       "rim on the bottom face "
       "and the far rim on the side face do it, for every tilt: the edge between them runs on the circle over "
-      "the two rims (Thales), down to F.";
+      "the two rims (Thales), down to F.\n\n"
+      "In the drawings a blue dot is a contacting point with one separate plane, a magenta diamond one with "
+      "several, hollow where the peg hides it; an arrow is a plane's normal, to its legal side, and a ring "
+      "is a "
+      "normal along the line of sight. m d c are the maintaining, detaching and constraining DOFs.";
   return outcome;
 }
 
@@ -227,7 +232,8 @@ std::vector<Claim> PegInsertionClaims() {
 
 std::vector<Claim> AllClaims() {
   std::vector<Claim> all;
-  for (auto part : {DisplacementClaims(), MotionDofClaims(), SingularClaims(), PegInsertionClaims()}) {
+  for (auto part : {DisplacementClaims(), PropositionClaims(), MotionDofClaims(), SingularClaims(),
+                    PegInsertionClaims()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;

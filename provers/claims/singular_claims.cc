@@ -1,7 +1,10 @@
+#include <algorithm>
+
 #include "algebra/exact/linear_algebra.h"
 #include "provers/claims/census.h"
 #include "provers/claims/claims.h"
 #include "provers/claims/definitions.h"
+#include "provers/claims/dof_laws.h"
 
 namespace tact::provers {
 namespace {
@@ -20,61 +23,21 @@ size_t WorldSize(Effort effort) {
 }
 
 Outcome TrySingularSums(Effort effort) {
-  const std::string id = "thesis.2.2.2.sums";
-  const std::vector<Assertion> laws = {{{{"translation.maintaining", 1},
-                                         {"translation.detaching", 1},
-                                         {"translation.constraining", 1},
-                                         {"constant", -3}},
-                                        "zero"},
-                                       {{{"rotation.maintaining", 1},
-                                         {"rotation.detaching", 1},
-                                         {"rotation.constraining", 1},
-                                         {"constant", -3}},
-                                        "zero"},
-                                       {{{"translation.detaching", 1}}, "nonnegative"},
-                                       {{{"rotation.detaching", 1}}, "nonnegative"}};
-  const Census census = TakeCensus(enumerators::SingularWorld(WorldSize(effort)));
-  Outcome outcome;
-  outcome.verdict = Verdict::kHoldsTo;
-  for (const Assertion& law : laws) {
-    if (!Violations(census, law).empty()) outcome.verdict = Verdict::kRefuted;
-  }
-  outcome.bound = census.world.sentence;
-  outcome.numbers = {{"relations", static_cast<long long>(census.count)},
-                     {"classes", static_cast<long long>(census.classes.size())}};
-  outcome.certificates = {
-      CensusCertificate(id + ".census", id, census.world.sentence, census.count, census.classes, laws)};
-  outcome.evidence =
-      "The singular DOFs are those of what is left when the singular contacts are taken away (2.8), so they "
-      "add up as any relation's do.";
-  return outcome;
-}
-
-// r against the sum of the singular detaching and constraining DOFs, in translation, rotation and all motion.
-std::vector<Assertion> FootnoteEquations(const std::string& is) {
-  std::vector<Assertion> equations;
-  for (const std::string motion : {"translation", "rotation", "all"}) {
-    equations.push_back(
-        {{{motion + ".restricted", 1}, {motion + ".detaching", -1}, {motion + ".constraining", -1}}, is});
-  }
-  return equations;
+  return LawsHoldThroughout(enumerators::SingularWorld(WorldSize(effort)), "thesis.2.2.2.sums", SumLaws(),
+                            "The singular DOFs are those of what is left when the singular contacts are "
+                            "taken away (2.8), so they add up as any "
+                            "relation's do.");
 }
 
 Outcome TryFootnoteSingular(Effort effort) {
   const std::string id = "thesis.2.6.footnote-singular";
-  const Census census = TakeCensus(enumerators::SingularWorld(WorldSize(effort)));
-  const auto equal = FootnoteEquations("zero"), unequal = FootnoteEquations("nonzero");
-  const auto smallest = [&](const auto& wanted) {
-    const CensusClass* found = nullptr;
-    for (const CensusClass& c : census.classes) {
-      if (!c.dof.singular || !wanted(c.dof)) continue;
-      if (found == nullptr || c.witness.contacts.size() < found->witness.contacts.size()) found = &c;
-    }
-    return found;
-  };
-  const CensusClass* differs = smallest([&](const MotionDof& dof) { return Holds(unequal[0], dof); });
-  const CensusClass* agrees = smallest([&](const MotionDof& dof) {
-    return Holds(equal[0], dof) && Holds(equal[1], dof) && Holds(equal[2], dof);
+  // With fewer than three contacts there is no counterexample.
+  const Census census = TakeCensus(enumerators::SingularWorld(std::max<size_t>(3, WorldSize(effort))));
+  const auto equal = RestrictedLaws("zero"), unequal = RestrictedLaws("nonzero");
+  const CensusClass* differs =
+      SmallestClass(census, [&](const MotionDof& dof) { return dof.singular && Holds(unequal[0], dof); });
+  const CensusClass* agrees = SmallestClass(census, [&](const MotionDof& dof) {
+    return dof.singular && Holds(equal[0], dof) && Holds(equal[1], dof) && Holds(equal[2], dof);
   });
   Outcome outcome;
   if (differs == nullptr || agrees == nullptr) return outcome;
@@ -101,28 +64,12 @@ Outcome TryFootnoteSingular(Effort effort) {
 }
 
 Outcome TryFootnoteInequality(Effort effort) {
-  const std::string id = "thesis.2.6.footnote-inequality";
-  auto laws = FootnoteEquations("nonnegative");
-  const Census census = TakeCensus(enumerators::SingularWorld(WorldSize(effort)));
-  Outcome outcome;
-  outcome.verdict = Verdict::kHoldsTo;
-  outcome.bound = census.world.sentence;
-  for (const Assertion& law : laws) {
-    const auto violations = Violations(census, law);
-    if (violations.empty()) continue;
-    outcome.verdict = Verdict::kRefuted;
-    outcome.evidence += "Counterexample: " + Describe(violations.front().witness) + ".\n\n";
-  }
-  outcome.numbers = {{"relations", static_cast<long long>(census.count)},
-                     {"classes", static_cast<long long>(census.classes.size())}};
-  outcome.certificates = {
-      CensusCertificate(id + ".census", id, census.world.sentence, census.count, census.classes,
-                        outcome.verdict == Verdict::kHoldsTo ? laws : std::vector<Assertion>{})};
-  outcome.evidence +=
-      "In translation and in all motion because fewer planes cannot have more rank. In rotation r_a - r_t is "
-      "the number of axis "
-      "directions that no motion keeping every contact has, and more planes leave no more such motions.";
-  return outcome;
+  return LawsHoldThroughout(enumerators::SingularWorld(WorldSize(effort)), "thesis.2.6.footnote-inequality",
+                            RestrictedLaws("nonnegative"),
+                            "In translation and in all motion because fewer planes cannot have more rank. In "
+                            "rotation r_a - r_t is the number of "
+                            "axis directions that no motion keeping every contact has, and more planes leave "
+                            "no more such motions.");
 }
 
 Outcome TryRestrictedRotation(Effort effort) {

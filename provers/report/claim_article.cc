@@ -149,13 +149,15 @@ std::string ClaimArticle(const LedgerEntry& entry, int heading_level) {
   };
   fact("Source", claim.source);
   fact("Method", claim.method);
-  fact("Bound", outcome.bound);
   fact("Time", ReadableSeconds(entry.seconds));
+  fact("Bound", outcome.bound);
   html += "</dl>\n" + Prose(outcome.evidence) + NumbersHtml(outcome);
   for (const Table& table : outcome.tables) html += TableHtml(table);
+  if (!outcome.figures.empty()) html += "<div class=\"figures\">\n";
   for (size_t i = 0; i < outcome.figures.size(); ++i) {
     html += FigureHtml(outcome.figures[i], fmt::format("{}--figure-{}", id, i + 1));
   }
+  if (!outcome.figures.empty()) html += "</div>\n";
   return html + CertificatesHtml(outcome) + "</article>\n";
 }
 

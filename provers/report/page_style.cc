@@ -63,14 +63,16 @@ summary { cursor: pointer; color: var(--soft); font-size: 0.88rem; }
 table { border-collapse: collapse; font-size: 0.85rem; line-height: 1.45; margin: 0.4rem 0; }
 caption { text-align: left; color: var(--soft); padding: 0.3rem 0; font-size: 0.82rem; }
 th, td { text-align: left; vertical-align: top; padding: 0.28rem 1.1rem 0.28rem 0; border-bottom: 1px solid var(--line); }
-thead th { border-bottom: 1.5px solid var(--ink); }
+thead th, thead th.number { border-bottom: 1.5px solid var(--ink); vertical-align: bottom; white-space: normal; }
 tbody th { font-weight: 400; }
+th:last-child, td:last-child { padding-right: 0.2rem; }
 .number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
 th.number + th:not(.number), td.number + td:not(.number) { padding-left: 0.6rem; }
 .scroll { overflow: auto; max-height: 32rem; margin: 1rem 0; }
 .scroll:focus-visible, a:focus-visible, summary:focus-visible { outline: 2px solid var(--link); outline-offset: 2px; }
 .scroll thead th { position: sticky; top: 0; background: var(--paper); }
-figure { margin: 1.4rem 0; }
+.figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 19rem), 1fr)); gap: 1.2rem; margin: 1.4rem 0; align-items: end; }
+figure { margin: 0; min-width: 0; }
 .drawing { color-scheme: light; background: #fffefb; color: #1d1c1a; border: 1px solid var(--line); border-radius: 0.5rem; padding: 0.8rem; text-align: center; overflow-x: auto; }
 .drawing svg { display: block; margin: 0 auto; max-width: 100%; height: auto; }
 figcaption { font-size: 0.85rem; color: var(--soft); margin-top: 0.5rem; line-height: 1.45; }

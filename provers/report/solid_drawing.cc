@@ -15,7 +15,7 @@
 namespace tact::provers {
 namespace {
 
-constexpr double kArrowShare = 0.17;  // of the drawing's larger side
+constexpr double kArrowShare = 0.12;  // of the drawing's larger side
 constexpr double kEdgeOn = 1e-9;      // a unit normal's z below this: the face is seen from its edge
 
 struct PaintedFace {

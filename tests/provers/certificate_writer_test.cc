@@ -64,8 +64,8 @@ TEST(CertificateWriterTwin, CensusBasisAndIllReducedEdgeAreAccepted) {
   const ContactRelation free{}, on_floor{{floor}};
   const std::vector<CensusClass> classes = {{ComputeMotionDof(free), 1, free},
                                             {ComputeMotionDof(on_floor), 3, on_floor}};
-  EXPECT_EQ(WhyRefused(CensusCertificate("x", "claim", "world", 4, classes, {})), "");
-  EXPECT_EQ(WhyRefused(CensusCertificate("x", "claim", "world", 5, classes, {})),
+  EXPECT_EQ(WhyRefused(CensusCertificate("x", "claim", {"", {floor}, 3}, classes, {})), "");
+  EXPECT_EQ(WhyRefused(CensusCertificate("x", "claim", {"", {floor}, 4}, classes, {})),
             "count: the classes have \"4\" members");
   EXPECT_EQ(WhyRefused(BasisCertificate("x", "claim", {{0, 0, 1, 0, 0, 0}, {0, 0, 1, 1, 0, 0}},
                                         {{0, 0, 1, 0, 0, 0}, {0, 0, 0, 1, 0, 0}}, 1)),

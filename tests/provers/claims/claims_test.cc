@@ -1,0 +1,145 @@
+// The ledger itself: which claims there are, and what must come out of each, whatever the code says today.
+#include "provers/claims/claims.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+
+#include "provers/check/check.h"
+
+namespace tact::provers {
+namespace {
+
+const std::vector<LedgerEntry>& QuickLedger() {
+  static const std::vector<LedgerEntry> entries = TryClaims(AllClaims(), Effort::kQuick);
+  return entries;
+}
+
+struct Expected {
+  Verdict verdict;
+  const char* why;
+};
+
+const std::map<std::string, Expected>& ExpectedVerdicts() {
+  constexpr auto kProved = Verdict::kProved, kHoldsTo = Verdict::kHoldsTo, kRefuted = Verdict::kRefuted,
+                 kReproduced = Verdict::kReproduced;
+  static const std::map<std::string, Expected> expected = {
+      {"thesis.2.1.screw-form", {kProved, "the triple product: n . (w x p) = (p x n) . w"}},
+      {"thesis.2.1.singular-edges",
+       {kRefuted,
+        "a union of half-spaces is not convex: legal by one plane at one end, by the other at the other"}},
+      {"thesis.2.1.singular-edges-corrected",
+       {kHoldsTo,
+        "Farkas: one plane between the two serves both ends, or some point between goes against both"}},
+      {"thesis.2.2.1.proposition-1", {kHoldsTo, "the span of a projected cone is the projected span"}},
+      {"thesis.2.2.1.proposition-2",
+       {kHoldsTo, "m_r + d_r = dim V_r, read as dimensions one modulo the other"}},
+      {"thesis.2.2.1.axis-types",
+       {kRefuted,
+        "with one contact, a maintaining rotation plus a translation that leaves has the same axis"}},
+      {"thesis.2.2.1.proposition-3", {kHoldsTo, "rank and nullity of the projection to angular parts"}},
+      {"thesis.2.2.1.figure-2.2",
+       {kHoldsTo, "each round turns one screw of a dependent set into a translation"}},
+      {"thesis.2.2.1.not-differences",
+       {kProved, "the thesis says 'not always': two contacts that face each other off one line"}},
+      {"thesis.2.2.1.proposition-4",
+       {kProved, "a cone holds both of s and -s, or one, or none; both types occur"}},
+      {"thesis.2.2.1.proposition-5", {kHoldsTo, "3 - rank G is the dimension of the lineality space of V_r"}},
+      {"thesis.2.2.1.proposition-6", {kHoldsTo, "what is left of d_r"}},
+      {"thesis.2.2.2.sums", {kHoldsTo, "singular DOFs are those of a non-singular relation (2.8)"}},
+      {"thesis.2.3.1.sums", {kHoldsTo, "by definition, and maintaining motions are legal"}},
+      {"thesis.2.4.2.accompanied", {kRefuted, "from free space there is no detaching DOF to lose"}},
+      {"thesis.2.6.footnote", {kHoldsTo, "with one plane a contact, r = 6 - m in rank"}},
+      {"thesis.2.6.third-rule", {kProved, "parallel edges: m = 3 and r = 2, one way to slide, not three"}},
+      {"thesis.2.6.restricted-rotation", {kHoldsTo, "rank and nullity again"}},
+      {"thesis.2.6.footnote-singular",
+       {kRefuted, "a singular contact whose planes other contacts have too adds nothing to r"}},
+      {"thesis.2.6.footnote-inequality", {kHoldsTo, "more planes, no less rank"}},
+      {"thesis.2.8.2.relations", {kReproduced, "the poses of the example make the eight relations"}},
+      {"thesis.2.8.2.transition-1", {kReproduced, "free to one edge on a face"}},
+      {"thesis.2.8.2.transition-2", {kReproduced, "the edge slides onto the rim: singular"}},
+      {"thesis.2.8.2.transition-3", {kReproduced, "off the rim's edge, into the slot"}},
+      {"thesis.2.8.2.transition-4", {kReproduced, "the other rim on the side face"}},
+      {"thesis.2.8.2.transition-5", {kReproduced, "upright, both edges on both rims: singular"}},
+      {"thesis.2.8.2.transition-6", {kReproduced, "between the walls: critical"}},
+      {"thesis.2.8.2.transition-7", {kReproduced, "on the ground"}},
+      {"thesis.A.1.rotation-equations", {kHoldsTo, "the combinations span the left null space of N"}}};
+  return expected;
+}
+
+TEST(Claims, EachComesOutAsItMustAndNoneIsUndecided) {
+  std::set<std::string> tried;
+  for (const LedgerEntry& entry : QuickLedger()) {
+    tried.insert(entry.claim.id);
+    const auto expected = ExpectedVerdicts().find(entry.claim.id);
+    if (expected == ExpectedVerdicts().end()) {
+      ADD_FAILURE() << "say in the table what must come out of " << entry.claim.id;
+      continue;
+    }
+    EXPECT_EQ(ToString(entry.outcome.verdict), ToString(expected->second.verdict))
+        << entry.claim.id << ": " << expected->second.why << "\n"
+        << entry.outcome.evidence;
+    EXPECT_FALSE(entry.outcome.bound.empty()) << entry.claim.id;
+    EXPECT_FALSE(entry.outcome.evidence.empty()) << entry.claim.id;
+  }
+  for (const auto& [id, expected] : ExpectedVerdicts()) EXPECT_TRUE(tried.contains(id)) << id;
+}
+
+TEST(Claims, AnIdIsUniqueAndNamesTheSectionOfItsSource) {
+  const std::regex form("thesis\\.((?:[0-9]+|[A-Z])(?:\\.[0-9]+)*)\\.([a-zA-Z][a-zA-Z0-9.-]*)");
+  const std::set<std::string> methods = {"symbolic", "exhaustive", "property", "statistics", "simulation"};
+  std::set<std::string> ids;
+  for (const Claim& claim : AllClaims()) {
+    EXPECT_TRUE(ids.insert(claim.id).second) << claim.id;
+    std::smatch parts;
+    ASSERT_TRUE(std::regex_match(claim.id, parts, form)) << claim.id;
+    const std::string section = parts[1];
+    EXPECT_TRUE(std::regex_search(claim.source, std::regex("^" + section + "($|,| )")))
+        << claim.id << " is said to be of " << claim.source;
+    EXPECT_TRUE(methods.contains(claim.method)) << claim.id << ": " << claim.method;
+    EXPECT_TRUE(claim.statement.ends_with(".")) << claim.id;
+  }
+}
+
+TEST(Claims, TheSevenTransitionsComeInTheirOrder) {
+  const auto claims = PegInsertionClaims();
+  ASSERT_EQ(claims.size(), 8u);
+  for (size_t t = 1; t < claims.size(); ++t) {
+    EXPECT_EQ(claims[t].id, "thesis.2.8.2.transition-" + std::to_string(t));
+    EXPECT_EQ(claims[t].source, "2.8.2, transition (" + std::to_string(t) + ")");
+  }
+}
+
+TEST(Claims, EveryCertificateIsAboutItsClaimAndBearsItsName) {
+  for (const LedgerEntry& entry : QuickLedger()) {
+    for (const Certificate& certificate : entry.outcome.certificates) {
+      EXPECT_EQ(nlohmann::json::parse(certificate.json)["claim"], entry.claim.id);
+      EXPECT_EQ(check::CheckCertificate(certificate.json).claim, entry.claim.id);
+      EXPECT_TRUE(certificate.name.starts_with(entry.claim.id)) << certificate.name;
+    }
+  }
+}
+
+TEST(Claims, EveryRefutationAndEveryProofHasEvidenceACheckerCanRead) {
+  for (const LedgerEntry& entry : QuickLedger()) {
+    const Verdict verdict = entry.outcome.verdict;
+    if (verdict == Verdict::kRefuted) {
+      EXPECT_FALSE(entry.outcome.certificates.empty()) << entry.claim.id;
+    }
+    if (verdict == Verdict::kProved && entry.outcome.certificates.empty()) {
+      EXPECT_EQ(entry.claim.id, "thesis.2.1.screw-form") << "the one identity among the claims";
+    }
+  }
+}
+
+TEST(FullClaims, TheVerdictsDoNotDependOnTheEffort) {
+  for (const LedgerEntry& entry : TryClaims(AllClaims(), Effort::kStandard, {}, {}, 2))
+    EXPECT_EQ(ToString(entry.outcome.verdict), ToString(ExpectedVerdicts().at(entry.claim.id).verdict))
+        << entry.claim.id;
+}
+
+}  // namespace
+}  // namespace tact::provers

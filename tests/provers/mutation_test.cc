@@ -1,0 +1,148 @@
+// Every certificate of the report, with one number changed: tact-check accepts it just if it is still right.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iostream>
+#include <random>
+
+#include "provers/check/check.h"
+#include "provers/claims/claims.h"
+#include "tests/provers/certificate_oracle.h"
+
+namespace tact::provers {
+namespace {
+
+using nlohmann::json;
+
+constexpr size_t kWanted = 10000;  // mutations that make a certificate wrong
+constexpr unsigned kSeed = 20060329;
+
+std::vector<std::pair<std::string, json>> CertificatesOf(Effort effort) {
+  std::vector<std::pair<std::string, json>> all;
+  for (const LedgerEntry& entry : TryClaims(AllClaims(), effort)) {
+    for (const Certificate& certificate : entry.outcome.certificates)
+      all.emplace_back(certificate.name, json::parse(certificate.json));
+  }
+  return all;
+}
+
+// The integers of a certificate by what they are: `/classes/relation/all/y` and the like, list places left out.
+using Kinds = std::map<std::string, std::vector<json::json_pointer>>;
+Kinds KindsOfNumbers(const json& certificate) {
+  Kinds kinds;
+  const json flat = certificate.flatten();
+  for (const auto& [path, value] : flat.items()) {
+    if (!value.is_number_integer()) continue;
+    std::string kind, part;
+    std::istringstream parts(path);
+    while (std::getline(parts, part, '/')) {
+      if (!part.empty() && part.find_first_not_of("0123456789") != part.npos) kind += "/" + part;
+    }
+    kinds[kind].emplace_back(path);
+  }
+  return kinds;
+}
+
+template <typename Random>
+long long Mutate(long long n, Random& random) {
+  const auto pick = [&](long long from, long long to) {
+    return std::uniform_int_distribution<long long>(from, to)(random);
+  };
+  switch (pick(0, 7)) {
+    case 0:
+      return n + 1;
+    case 1:
+      return n - 1;
+    case 2:
+      return n + pick(2, 9);
+    case 3:
+      return n - pick(2, 9);
+    case 4:
+      return -n;
+    case 5:
+      return 0;
+    case 6:
+      return 2 * n;
+    default:
+      return pick(-20, 20);
+  }
+}
+
+struct Tally {
+  size_t wrong = 0, harmless = 0;
+};
+
+// Draws until kWanted different mutations have been wrong ones.
+void TryMutations(Effort effort) {
+  const auto certificates = CertificatesOf(effort);
+  std::vector<Kinds> kinds;
+  for (const auto& [name, certificate] : certificates) kinds.push_back(KindsOfNumbers(certificate));
+  std::mt19937_64 random(kSeed);
+  std::set<std::tuple<size_t, std::string, long long>> seen;
+  std::map<std::string, Tally> tallies;
+  Tally total;
+  for (size_t draw = 0; total.wrong < kWanted; ++draw) {
+    ASSERT_LT(draw, 100 * kWanted) << "the certificates have too few numbers";
+    const size_t i = draw % certificates.size();
+    const auto& [name, original] = certificates[i];
+    const auto& [kind, places] = *std::next(kinds[i].begin(), static_cast<long>(random() % kinds[i].size()));
+    const json::json_pointer& place = places[random() % places.size()];
+    const long long before = original.at(place), after = Mutate(before, random);
+    if (after == before || !seen.emplace(i, place.to_string(), after).second) continue;
+
+    json mutant = original;
+    mutant.at(place) = after;
+    const bool right = oracle::IsRight(mutant);
+    const check::Answer answer = check::CheckCertificate(mutant.dump());
+    ASSERT_EQ(answer.accepted, right)
+        << name << ", " << place.to_string() << ": " << before << " -> " << after
+        << "\ntact-check says: " << (answer.accepted ? "accepted" : answer.why) << "\n"
+        << mutant.dump(1);
+    ASSERT_EQ(answer.not_recounted, "") << name << ", " << place.to_string();
+    ++(right ? total.harmless : total.wrong);
+    const std::string group = original["kind"].get<std::string>() + " " + kind;
+    ++(right ? tallies[group].harmless : tallies[group].wrong);
+  }
+  std::cout << total.wrong << " mutations that make a certificate wrong: all refused; " << total.harmless
+            << " that leave it right: all accepted\n";
+  for (const auto& [group, tally] : tallies)
+    std::cout << "  " << group << ": " << tally.wrong << " wrong, " << tally.harmless << " right\n";
+  for (const char* touched :
+       {"basis /vectors", "basis /reduced", "basis /translations", "census /count", "census /classes/count",
+        "census /generator/contacts/point", "census /generator/contacts/planes", "census /generator/largest",
+        "census /asserts/sum/constant", "census /classes/relation/all/x", "census /classes/relation/all/y",
+        "ill-reduced-singular /motion", "ill-reduced-singular /between",
+        "motion-dofs /relation/contacts/point", "motion-dofs /relation/contacts/planes",
+        "motion-dofs /relation/dof/all/maintaining", "transitions /transitions/from",
+        "transitions /transitions/to", "transitions /expects/changes/translation.maintaining"}) {
+    EXPECT_GT(tallies[touched].wrong, 0u) << touched;
+  }
+}
+
+void ExpectAllAccepted(Effort effort) {
+  const auto certificates = CertificatesOf(effort);
+  EXPECT_GE(certificates.size(), 20u);
+  for (const auto& [name, certificate] : certificates) {
+    const check::Answer answer = check::CheckCertificate(certificate.dump());
+    EXPECT_TRUE(answer.accepted) << name << ": " << answer.why;
+    EXPECT_EQ(answer.not_recounted, "") << name;
+    EXPECT_TRUE(oracle::IsRight(certificate)) << name;
+  }
+}
+
+TEST(ReportMutation, EveryCertificateOfTheQuickReportIsAcceptedAndRight) {
+  ExpectAllAccepted(Effort::kQuick);
+}
+TEST(FullReportMutation, EveryCertificateOfTheReportIsAcceptedAndRight) {
+  ExpectAllAccepted(Effort::kStandard);
+}
+
+TEST(ReportMutation, OneChangedNumberIsRefusedJustIfTheCertificateIsWrongThen) {
+  TryMutations(Effort::kQuick);
+}
+TEST(FullReportMutation, OneChangedNumberIsRefusedJustIfTheCertificateIsWrongThen) {
+  TryMutations(Effort::kStandard);
+}
+
+}  // namespace
+}  // namespace tact::provers
