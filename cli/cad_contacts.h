@@ -1,5 +1,5 @@
 /// @file
-/// From the CAD form of a contact relation to its contacts.
+/// From the CAD form of a contact relation to its contacts; notes on the models go to standard error.
 #pragma once
 
 #include "algebra/contact/contact_relation.h"

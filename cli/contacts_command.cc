@@ -1,5 +1,5 @@
+#include <cmath>
 #include <fstream>
-#include <iostream>
 
 #include "algebra/error.h"
 #include "cli/commands.h"
@@ -49,17 +49,16 @@ ExitStatus RunContacts(const ContactsOptions& options) {
                      (options.unit.empty() ? std::string("none; a mesh has no unit") : options.unit));
   }
   const auto tolerance = algebra::Rational::Parse(options.tolerance);
-  if (!tolerance || tolerance->sign() < 0) {
-    throw InputError("--tolerance: expected a number of millimetres that is not negative, got " +
-                     options.tolerance);
+  if (!tolerance || tolerance->sign() < 0 || !std::isfinite(ToDouble(*tolerance))) {
+    throw InputError(
+        "--tolerance: expected a number of millimetres, not negative and in the range of a double, got " +
+        options.tolerance);
   }
   const input::PoseInput pose = input::ParsePoseArgument(options.pose, "--pose");
   input::CadModels models{options.moving, options.fixed, *unit, *tolerance / cad::InMillimetres(*unit)};
   const recognition::ModelPair pair = recognition::LoadModels(models);
-  for (const std::string& note : pair.notes) std::cerr << "tact: note: " << note << "\n";
-  if (!pose.exact) {
-    std::cerr << "tact: note: the rotation was rounded to a rational one; contacts need a tolerance\n";
-  }
+  for (const std::string& note : pair.notes) Note(note);
+  if (!pose.exact) Note("--pose: the rotation was rounded to a rational one, so contacts need a tolerance");
   const algebra::FoundContacts found = recognition::ContactsInPose(pair, pose.pose, "--pose");
   if (!options.svg.empty()) Draw(pair, pose.pose, found.relation, options.svg);
   Output output;

@@ -115,9 +115,16 @@ void AddCommands(CLI::App& app, Request& request) {
   AddVerifyCommand(app, request);
 }
 
-int ReportUsage(const std::string& message) {
-  std::cerr << "tact: " << message << "; tact --help says more\n";
+int ReportUsage(const std::string& message, const std::string& command = "") {
+  std::cerr << "tact: " << message << "; tact " << command << (command.empty() ? "" : " ")
+            << "--help says more\n";
   return kBadInput;
+}
+
+// The command whose arguments are wrong, if one was named.
+std::string NamedCommand(const CLI::App& app) {
+  const auto named = app.get_subcommands();
+  return named.empty() ? "" : named.front()->get_name();
 }
 
 int Run(int argc, char** argv) {
@@ -128,14 +135,15 @@ int Run(int argc, char** argv) {
   Request request;
   AddCommands(app, request);
   if (argc > 1 && argv[1][0] != '-' && !IsCommand(app, argv[1])) {
-    return ReportUsage("expected a command, one of " + CommandNames(app) + ", got " + argv[1]);
+    return ReportUsage("expected a command, one of " + CommandNames(app) + ", got '" + std::string(argv[1]) +
+                       "'");
   }
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    return ReportUsage(error.what());
+    return ReportUsage(error.what(), NamedCommand(app));
   }
   if (!request.run) return ReportUsage("expected a command, one of " + CommandNames(app) + ", got none");
   return request.run();

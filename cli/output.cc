@@ -1,6 +1,7 @@
 #include "cli/output.h"
 
 #include <cstdio>
+#include <iostream>
 
 #include "algebra/error.h"
 
@@ -28,5 +29,7 @@ Output& Output::operator<<(std::string_view text) {
 void Output::Flush() {
   if (!Write()) throw InputError("standard output: expected to write the answer, got an error of the system");
 }
+
+void Note(std::string_view text) { std::cerr << "tact: note: " << text << "\n"; }
 
 }  // namespace tact::cli

@@ -1,5 +1,5 @@
 /// @file
-/// Standard output, buffered.
+/// Standard output, buffered, and notes beside it.
 /// Errors  InputError: it cannot be written (a full disk, a closed pipe).
 #pragma once
 
@@ -25,5 +25,8 @@ class Output {
 
   std::string buffer_;
 };
+
+/// A line of standard error that is no refusal: what a person should know about the answer.
+void Note(std::string_view text);
 
 }  // namespace tact::cli

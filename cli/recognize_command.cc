@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <iostream>
-
 #include "cli/commands.h"
 #include "cli/json_text.h"
 #include "cli/output.h"
@@ -114,7 +112,7 @@ ExitStatus RunRecognize(const FileOptions& options) {
   input::InputFile file(options.file);
   const Recognition recognition =
       recognition::Recognize(input::ReadDemonstration(file.stream(), file.name()));
-  for (const std::string& note : recognition.notes) std::cerr << "tact: note: " << note << "\n";
+  for (const std::string& note : recognition.notes) Note(note);
   Output output;
   output << (options.json ? ToJsonLine(recognition)
                           : RelationTable(recognition) + TransitionList(recognition));

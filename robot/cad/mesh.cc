@@ -1,7 +1,9 @@
 #include "robot/cad/mesh.h"
 
+#include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -94,10 +96,14 @@ MeshFormat MeshFormatOf(const std::string& path) {
 
 Mesh ReadMesh(const std::string& path, LengthUnit unit, LengthUnit target) {
   const MeshFormat format = MeshFormatOf(path);
+  if (std::filesystem::is_directory(path)) throw InputError(path + ": expected a file, got a folder");
+  errno = 0;
   std::ifstream file(path, std::ios::binary);
   std::ostringstream contents;
-  if (std::filesystem::is_directory(path)) throw InputError(path + ": expected a file, got a directory");
-  if (!file) throw InputError(path + ": expected a file that can be read, got none");
+  if (!file) {
+    throw InputError(path +
+                     ": expected a readable file, got: " + (errno == 0 ? "no access" : std::strerror(errno)));
+  }
   contents << file.rdbuf();
   return ReadMesh(std::move(contents).str(), format, path, unit, target);
 }

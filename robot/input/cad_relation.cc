@@ -62,7 +62,8 @@ CadRelation ParseCadRelation(const JsonValue& value, const std::string& source) 
     relation.contacts.emplace();
     for (const JsonValue pair : contacts->Elements("an array of element pairs")) {
       pair.ExpectObject({"moving", "fixed"});
-      relation.contacts->push_back({ParseElement(pair.At("moving")), ParseElement(pair.At("fixed"))});
+      relation.contacts->push_back(
+          {ParseElement(pair.At("moving")), ParseElement(pair.At("fixed")), pair.Where()});
     }
   }
   return relation;

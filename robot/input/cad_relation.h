@@ -22,7 +22,10 @@ namespace tact::input {
 /// An element's index counts from 0 in the order of algebra::Polyhedron.
 struct ElementPair {
   algebra::Element moving, fixed;
-  friend bool operator==(const ElementPair&, const ElementPair&) = default;
+  std::string where = {};  // "file:line:column"; two pairs may be equal in different places
+  friend bool operator==(const ElementPair& a, const ElementPair& b) {
+    return a.moving == b.moving && a.fixed == b.fixed;
+  }
 };
 
 /// Two solids' files, relative names taken from the folder of the file that names them.

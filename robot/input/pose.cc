@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "algebra/error.h"
 #include "robot/input/json_stream.h"
 
 namespace tact::input {
@@ -129,7 +130,10 @@ PoseInput ParsePose(const JsonValue& value) {
 
 PoseInput ParsePoseArgument(const std::string& argument, const std::string& option) {
   const size_t first = argument.find_first_not_of(" \t\r\n");
-  const bool is_text = first != std::string::npos && argument[first] == '{';
+  if (first == std::string::npos) {
+    throw InputError(option + ": expected a pose in JSON or the name of a file of it, got nothing");
+  }
+  const bool is_text = argument[first] == '{';
   const JsonDocument document = is_text ? JsonDocument::Parse(argument, option) : ReadJsonFile(argument);
   return ParsePose(document.root());
 }

@@ -59,8 +59,8 @@ void RequireElement(const Polyhedron& solid, const Element& element, const std::
   const size_t count = CountOf(solid, element.kind);
   if (element.index < count) return;
   const std::string name = ToString(element);
-  throw InputError(where + ": expected an element of the " + model + " model, got " + name + "; it has " +
-                   name.substr(0, name.find(' ')) + " 0 to " + std::to_string(count - 1));
+  throw InputError(where + ": expected an element of the " + model + " model, got " + name + "; its " +
+                   name.substr(0, name.find(' ')) + " elements are 0 to " + std::to_string(count - 1));
 }
 
 bool LiesOn(const Polyhedron& solid, const Element& element, const Vector3& p,
@@ -99,6 +99,12 @@ ModelPair LoadModels(const input::CadModels& models) {
     (moving ? pair.moving : pair.fixed) = std::move(mesh.solid);
   }
   const double a = Size(pair.moving), b = Size(pair.fixed);
+  if (ToDouble(pair.tolerance) >= std::min(a, b)) {
+    throw InputError((a <= b ? models.moving : models.fixed).string() +
+                     ": expected a tolerance below the size of the model, " + Number(std::min(a, b)) + " " +
+                     std::string(ToString(models.unit)) + ", got " + Number(ToDouble(pair.tolerance)) +
+                     ": everything would count as contact");
+  }
   if (std::max(a, b) >= 100 * std::min(a, b)) {
     const std::string unit(ToString(models.unit));
     pair.notes.push_back("the moving model is " + Number(a) + " " + unit + " long and the fixed one " +
@@ -129,8 +135,8 @@ algebra::ContactRelation ContactsOfElements(const ModelPair& models, const algeb
   const Rational squared_tolerance = models.tolerance * models.tolerance;
   std::vector<char> wanted(found.relation.contacts.size(), 0);
   for (const input::ElementPair& pair : pairs) {
-    RequireElement(moving, pair.moving, "moving", where);
-    RequireElement(models.fixed, pair.fixed, "fixed", where);
+    RequireElement(moving, pair.moving, "moving", pair.where);
+    RequireElement(models.fixed, pair.fixed, "fixed", pair.where);
     bool touches = false;
     for (size_t i = 0; i < wanted.size(); ++i) {
       const algebra::Contact& c = found.relation.contacts[i];
@@ -145,7 +151,7 @@ algebra::ContactRelation ContactsOfElements(const ModelPair& models, const algeb
       touches = true;
     }
     if (!touches) {
-      throw InputError(where + ": expected elements that touch, got " + ToString(pair.moving) +
+      throw InputError(pair.where + ": expected elements that touch, got " + ToString(pair.moving) +
                        " of the moving model and " + ToString(pair.fixed) +
                        " of the fixed one, which do not; tact contacts lists those that do");
     }

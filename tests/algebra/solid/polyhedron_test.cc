@@ -289,7 +289,9 @@ RC_GTEST_PROP(PolyhedronLaw, HullsAreConvexAndOfGenusZero, ()) {
     }
   }
   RC_PRE(planes.size() >= 4u);
-  for (const auto& [normal, offset] : planes) {
+  for (const auto& plane : planes) {
+    const auto& normal = plane.first;  // a name of its own: clang 14 cannot capture a structured binding
+    const auto& offset = plane.second;
     std::vector<size_t> on;
     for (size_t i = 0; i < p.size(); ++i) {
       if (Dot(normal, p[i]) == offset) on.push_back(i);

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <sstream>
 
 #include "algebra/error.h"
@@ -145,7 +146,7 @@ TEST(Mesh, BytesAfterABinaryMeshAreRefused) {
 
 TEST(Mesh, NotANumberInABinaryMeshIsRefusedAndNamed) {
   std::string stl = BinaryStl("x");
-  const float nan = std::nanf("");
+  const float nan = std::numeric_limits<float>::quiet_NaN();
   std::memcpy(stl.data() + 84 + 50 + 12, &nan, 4);
   EXPECT_EQ(Refusal(stl, MeshFormat::kStl), "file: face 2: expected finite coordinates, got NaN or infinity");
 }
@@ -226,6 +227,7 @@ struct RealModel {
   size_t vertices, edges, faces, shells, concave;
   Rational volume;  // mm^3
 };
+void PrintTo(const RealModel& model, std::ostream* out) { *out << model.path; }
 
 class MeshOfRealModel : public testing::TestWithParam<RealModel> {};
 
