@@ -41,6 +41,7 @@ struct Words {
   Changes changes;
   std::vector<SubSkill> sub_skills;
   bool critical;
+  std::string silence = {};  // what the text leaves out and the geometry shows
 };
 
 const std::vector<SubSkill> kAlign = {SubSkill::kMakeContactInTranslation,
@@ -93,14 +94,21 @@ const std::vector<Words>& TextOfTransitions() {
         {"translation.restricted", 0},
         {"rotation.restricted", 1}},
        {SubSkill::kSlideInRotation},
-       false},
+       false,
+       "The text names the maintaining DOFs only. All indices of a singular relation are singular, so the "
+       "two detaching "
+       "DOFs of E in each motion become singular maintaining as well: 3 in all, not 1."},
       {"a singular maintaining DOF becomes constraining in translation, two in rotation; critical",
-       {{"translation.constraining", 1},
-        {"rotation.constraining", 2},
-        {"translation.singular_maintaining", -3},
-        {"rotation.singular_maintaining", -3}},
+       {{"translation.constraining", 1}, {"rotation.constraining", 2}},
        {},
-       true},
+       true,
+       "Read as the total change, 'a singular maintaining DOF falls by one, by two in rotation' does not "
+       "come out: it falls "
+       "from 3 to 0 in both motions, as it must when a relation stops being singular. Read as the share that "
+       "becomes "
+       "constraining it does; the other share, two in translation and one in rotation, becomes maintaining, "
+       "which the text "
+       "leaves out here and counts as part of the next sub-skill in transition (3)."},
       {"the same DOF-transitions and sub-skills as in transition (1)", OneMaintainingToDetaching(), kAlign,
        false}};
   return words;
@@ -167,6 +175,7 @@ Outcome TryTransition(size_t t) {
   outcome.verdict = agrees ? Verdict::kReproduced : Verdict::kNotReproduced;
   outcome.bound = "one demonstration, exact poses (examples/peg_in_hole)";
   outcome.evidence = "The text: " + words.quote + ".\n\nFrom geometry alone: " + seen.why;
+  if (!words.silence.empty()) outcome.evidence += "\n\n" + words.silence;
   outcome.tables = {std::move(table)};
   outcome.figures = {Draw(insertion, t, AlongAxis('y')), Draw(insertion, t + 1, AlongAxis('y'))};
   if (agrees) outcome.certificates = {Evidence(insertion, IdOfTransition(t), t, words.changes)};
