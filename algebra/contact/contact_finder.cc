@@ -177,12 +177,15 @@ class Finder {
     }
   }
 
-  // Solids that overlap with every vertex and edge on the other's surface: look between the corners.
+  // Solids that overlap with every vertex and edge on the other's surface: look between the corners, evenly
+  // chosen ones if there are many.
   Penetration DeepestMidpoint() const {
     Penetration deepest{corners_.front(), Rational(0)};
     const PointLocator in_moving(moving_.solid), in_fixed(fixed_.solid);
-    for (size_t i = 0; i < corners_.size(); ++i) {
-      for (size_t j = i + 1; j < corners_.size(); ++j) {
+    constexpr size_t kMostCorners = 150;
+    const size_t step = 1 + corners_.size() / kMostCorners;
+    for (size_t i = 0; i < corners_.size(); i += step) {
+      for (size_t j = i + step; j < corners_.size(); j += step) {
         const Vector3 middle = Rational(1, 2) * (corners_[i] + corners_[j]);
         if (in_moving.Locate(middle) != Side::kInside || in_fixed.Locate(middle) != Side::kInside) continue;
         const Rational& known = deepest.squared_depth;
