@@ -45,7 +45,7 @@ class Method {
   }
 
   bool ConeRanks(const T* rows, size_t count, Ranks& ranks) {
-    const T* forces = rows + 3;
+    const T* forces = count == 0 ? rows : rows + 3;  // without rows there is no array to point into
     if (translation_.Solve(forces, count, 3, 6) != Simplex::Status::kDone) return false;
     if (all_.Solve(rows, count, 6, 6) != Simplex::Status::kDone) return false;
     ranks.force = translation_.rank();
