@@ -12,7 +12,9 @@
 /// Exact   integer arithmetic throughout, 64-bit with overflow detection, GMP on overflow.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <span>
 
 #include "algebra/contact/contact_relation.h"
 
@@ -52,6 +54,9 @@ class MotionDofEngine {
   MotionDofEngine& operator=(const MotionDofEngine&) = delete;
 
   MotionDof Compute(const ContactRelation& relation);
+  /// Of a non-singular relation given by its rows [ p x n | n ], six numbers each (contact_rows.h).
+  /// PreconditionError: not a multiple of six numbers, a zero normal, entries of 2^60 or more.
+  MotionDof Compute(std::span<const int64_t> rows);
   /// How many calls so far had to leave 64 bits for GMP.
   size_t overflows() const;
 
