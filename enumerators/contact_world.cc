@@ -89,9 +89,10 @@ ContactWorld CornerWorld(size_t largest) {
   normals.push_back({-1, -1, 0});
   std::vector<Contact> contacts = DistinctContacts(CornerPoints(), normals);
   contacts.push_back({{0, -1, 1}, {{-1, 0, 1}}, ""});
+  contacts.push_back({{-1, -1, -1}, {{0, 0, 1}}, ""});
   return {"all relations of at most " + std::to_string(largest) + " of " + std::to_string(contacts.size()) +
-              " contacts: at 0, x, y, z with normals along the axes and (1, 1, 0) and (-1, -1, 0), and a few "
-              "more",
+              " contacts: at 0, x, y, z with normals along the axes and (1, 1, 0) and (-1, -1, 0), at "
+              "(0, -1, 1) with (-1, 0, 1), at (-1, -1, -1) with z",
           contacts, largest};
 }
 

@@ -26,7 +26,7 @@ ContactWorld AxisWorld(size_t largest);
 ContactWorld DiagonalWorld(size_t largest);
 /// Points of {0, 1}^3, normals along the axes: 24 contacts, the solids being boxes.
 ContactWorld CubeWorld(size_t largest);
-/// The axis contacts through 0, x, y, z, those with normals (1, 1, 0) and (-1, -1, 0) there and a few more,
+/// The axis contacts through 0, x, y, z, those with normals (1, 1, 0) and (-1, -1, 0) there and two more,
 /// chosen so that every DOF class has a relation with the fewest contacts possible among its sets of 7.
 ContactWorld CornerWorld(size_t largest);
 /// The axis contacts through the origin's neighbours 0, x, y, z, and singular ones with two axis normals there.

@@ -93,7 +93,7 @@ std::vector<int> IndexValues(const MotionDof& dof, const DofDefinition& definiti
 const std::vector<DofLemma>& DofLemmas() {
   static const std::vector<DofLemma> lemmas = {
       {"parallel-normals",
-       "Where all normals are parallel, no two-dimensional turn is free of them: r_r <= 2 if r_t = 1, "
+       "Forces of one direction turn about axes square to it only: r_r <= 2 if r_t = 1, "
        "r_r = 0 if r_t = 0.",
        [](const MotionDof& d) {
          return d.rotation.restricted <= (d.translation.restricted == 0   ? 0
@@ -123,11 +123,6 @@ const std::vector<DofLemma>& DofLemmas() {
       {"forces-turn", "Only forces block: c_a > 0 gives c_a > c_r.",
        [](const MotionDof& d) {
          return d.all.constraining == 0 || d.all.constraining > d.rotation.constraining;
-       }},
-      {"one-force-direction",
-       "Forces of one direction block two turns at most: c_a - c_r <= 1 gives c_r <= 2.",
-       [](const MotionDof& d) {
-         return d.all.constraining - d.rotation.constraining > 1 || d.rotation.constraining <= 2;
        }},
       {"no-one-way-turn",
        "Where no axis turns one way only, blocked translations are blocked motions: d_r2 = 0 gives "
