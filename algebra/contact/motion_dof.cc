@@ -1,7 +1,11 @@
 #include "algebra/contact/motion_dof.h"
 
+#include <algorithm>
+#include <string>
+
 #include "algebra/cone/dual_simplex.h"
 #include "algebra/contact/contact_rows.h"
+#include "algebra/error.h"
 
 namespace tact::algebra {
 namespace {
@@ -37,13 +41,6 @@ class Method {
            RankOf(rows.data() + 3, rows.size() / 6, 3, nullptr, restricted.force);
   }
 
- private:
-  bool RankOf(const T* rows, size_t count, int columns, const std::vector<char>* flags, int& rank) {
-    const bool done = rank_.Rank(rows, count, columns, 6, flags) == Simplex::Status::kDone;
-    rank = rank_.rank();
-    return done;
-  }
-
   bool ConeRanks(const T* rows, size_t count, Ranks& ranks) {
     const T* forces = count == 0 ? rows : rows + 3;  // without rows there is no array to point into
     if (translation_.Solve(forces, count, 3, 6) != Simplex::Status::kDone) return false;
@@ -60,9 +57,51 @@ class Method {
     return ranks.force_fixed == 0 || RankOf(rows, count, 6, &translation_.vanishing(), ranks.all_force_fixed);
   }
 
+ private:
+  bool RankOf(const T* rows, size_t count, int columns, const std::vector<char>* flags, int& rank) {
+    const bool done = rank_.Rank(rows, count, columns, 6, flags) == Simplex::Status::kDone;
+    rank = rank_.rank();
+    return done;
+  }
+
   Simplex all_, translation_, rank_;
   std::vector<T> selected_;
 };
+
+struct NamedIndex {
+  const char* name;
+  int (*value)(const MotionDof& dof);
+};
+
+constexpr NamedIndex kIndices[] = {
+    {"translation.maintaining", [](const MotionDof& d) { return d.translation.maintaining; }},
+    {"translation.detaching", [](const MotionDof& d) { return d.translation.detaching; }},
+    {"translation.constraining", [](const MotionDof& d) { return d.translation.constraining; }},
+    {"translation.restricted", [](const MotionDof& d) { return d.translation.restricted; }},
+    {"rotation.maintaining", [](const MotionDof& d) { return d.rotation.maintaining; }},
+    {"rotation.detaching", [](const MotionDof& d) { return d.rotation.detaching; }},
+    {"rotation.detaching_type1", [](const MotionDof& d) { return d.rotation.detaching_type1; }},
+    {"rotation.detaching_type2", [](const MotionDof& d) { return d.rotation.detaching_type2; }},
+    {"rotation.constraining", [](const MotionDof& d) { return d.rotation.constraining; }},
+    {"rotation.restricted", [](const MotionDof& d) { return d.rotation.restricted; }},
+    {"all.maintaining", [](const MotionDof& d) { return d.all.maintaining; }},
+    {"all.detaching", [](const MotionDof& d) { return d.all.detaching; }},
+    {"all.constraining", [](const MotionDof& d) { return d.all.constraining; }},
+    {"all.restricted", [](const MotionDof& d) { return d.all.restricted; }},
+};
+
+void RequireRows(std::span<const int64_t> rows) {
+  constexpr int64_t kLimit = int64_t{1} << 60;
+  if (rows.size() % 6 != 0)
+    throw PreconditionError("rows of six numbers each, but got " + std::to_string(rows.size()));
+  for (size_t i = 0; i < rows.size(); i += 6) {
+    const auto row = rows.subspan(i, 6);
+    if (row[3] == 0 && row[4] == 0 && row[5] == 0)
+      throw PreconditionError("row " + std::to_string(i / 6) + " has a zero normal");
+    if (std::any_of(row.begin(), row.end(), [](int64_t x) { return x >= kLimit || x <= -kLimit; }))
+      throw PreconditionError("row " + std::to_string(i / 6) + " has an entry beyond 2^60");
+  }
+}
 
 MotionDof FromRanks(const Ranks& cone, const Ranks& restricted, bool singular) {
   MotionDof dof;
@@ -107,6 +146,25 @@ MotionDof MotionDofEngine::Compute(const ContactRelation& relation) {
     m.large.Run(m.rows.ToIntegers(), m.rows.single(), m.rows.singular(), cone, restricted);
   }
   return FromRanks(cone, restricted, m.rows.singular());
+}
+
+MotionDof MotionDofEngine::Compute(std::span<const int64_t> rows) {
+  Memory& m = *memory_;
+  RequireRows(rows);
+  Ranks ranks;
+  if (!m.small.ConeRanks(rows.data(), rows.size() / 6, ranks)) {
+    ++m.overflows;
+    const std::vector<Integer> large(rows.begin(), rows.end());
+    m.large.ConeRanks(large.data(), large.size() / 6, ranks);
+  }
+  return FromRanks(ranks, ranks, false);
+}
+
+int IndexValue(const MotionDof& dof, std::string_view index) {
+  const auto found = std::find_if(std::begin(kIndices), std::end(kIndices),
+                                  [&](const NamedIndex& named) { return index == named.name; });
+  if (found == std::end(kIndices)) throw PreconditionError("no DOF index is named " + std::string(index));
+  return found->value(dof);
 }
 
 MotionDof ComputeMotionDof(const ContactRelation& relation) {

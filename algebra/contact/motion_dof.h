@@ -12,7 +12,10 @@
 /// Exact   integer arithmetic throughout, 64-bit with overflow detection, GMP on overflow.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <span>
+#include <string_view>
 
 #include "algebra/contact/contact_relation.h"
 
@@ -39,6 +42,10 @@ struct MotionDof {
   friend auto operator<=>(const MotionDof&, const MotionDof&) = default;
 };
 
+/// The index of that name, "translation.maintaining", "rotation.detaching_type1", "all.restricted" and so on.
+/// PreconditionError: no such index.
+int IndexValue(const MotionDof& dof, std::string_view index);
+
 /// PreconditionError: a zero normal, or a contact without planes.
 MotionDof ComputeMotionDof(const ContactRelation& relation);
 
@@ -52,6 +59,9 @@ class MotionDofEngine {
   MotionDofEngine& operator=(const MotionDofEngine&) = delete;
 
   MotionDof Compute(const ContactRelation& relation);
+  /// Of a non-singular relation given by its rows [ p x n | n ], six numbers each (contact_rows.h).
+  /// PreconditionError: not a multiple of six numbers, a zero normal, entries of 2^60 or more.
+  MotionDof Compute(std::span<const int64_t> rows);
   /// How many calls so far had to leave 64 bits for GMP.
   size_t overflows() const;
 
