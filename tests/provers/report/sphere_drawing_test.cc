@@ -46,7 +46,7 @@ double Share(const std::string& svg, const std::string& style) {
 }
 
 TEST(SphereDrawing, IsOneWellFormedSvgThatNamesTheRegionAndTheAxes) {
-  for (const Example& example : TenRegions()) {
+  for (const RegionExample& example : TenRegions()) {
     for (const View& view : {kSphereView, AlongAxis('x'), AlongAxis('y'), AlongAxis('z'), From(1, 1, -1)}) {
       const std::string svg = DrawLegalDirections(Normals(example.normals), view);
       const XmlContents contents = ReadXml(svg);
@@ -80,7 +80,7 @@ TEST(SphereDrawing, AreasAreThoseOfTheProjectedRegions) {
 }
 
 TEST(SphereDrawing, MaintainingDirectionsHaveTheirColour) {
-  for (const Example& example : TenRegions()) {
+  for (const RegionExample& example : TenRegions()) {
     const std::string svg = DrawLegalDirections(Normals(example.normals), From(3, -2, 1));
     const algebra::TranslationDof dof = ComputeMotionDof(Normals(example.normals)).translation;
     EXPECT_EQ(Count(svg, "#c8402f") > 0, dof.maintaining > 0) << example.name;
