@@ -1,35 +1,12 @@
 #include "enumerators/dof_class.h"
 
 #include <algorithm>
-
-#include "algebra/error.h"
+#include <set>
 
 namespace tact::enumerators {
 namespace {
 
 using algebra::MotionDof;
-
-struct NamedIndex {
-  const char* name;
-  int (*value)(const MotionDof& dof);
-};
-
-constexpr NamedIndex kIndices[] = {
-    {"translation.maintaining", [](const MotionDof& d) { return d.translation.maintaining; }},
-    {"translation.detaching", [](const MotionDof& d) { return d.translation.detaching; }},
-    {"translation.constraining", [](const MotionDof& d) { return d.translation.constraining; }},
-    {"translation.restricted", [](const MotionDof& d) { return d.translation.restricted; }},
-    {"rotation.maintaining", [](const MotionDof& d) { return d.rotation.maintaining; }},
-    {"rotation.detaching", [](const MotionDof& d) { return d.rotation.detaching; }},
-    {"rotation.detaching_type1", [](const MotionDof& d) { return d.rotation.detaching_type1; }},
-    {"rotation.detaching_type2", [](const MotionDof& d) { return d.rotation.detaching_type2; }},
-    {"rotation.constraining", [](const MotionDof& d) { return d.rotation.constraining; }},
-    {"rotation.restricted", [](const MotionDof& d) { return d.rotation.restricted; }},
-    {"all.maintaining", [](const MotionDof& d) { return d.all.maintaining; }},
-    {"all.detaching", [](const MotionDof& d) { return d.all.detaching; }},
-    {"all.constraining", [](const MotionDof& d) { return d.all.constraining; }},
-    {"all.restricted", [](const MotionDof& d) { return d.all.restricted; }},
-};
 
 std::vector<DofDefinition> MakeDefinitions() {
   const DofDefinition translation = {
@@ -75,13 +52,6 @@ MotionDof Complete(int mt, int ct, int mr, int type1, int cr, int ca) {
 const std::vector<DofDefinition>& DofDefinitions() {
   static const std::vector<DofDefinition> definitions = MakeDefinitions();
   return definitions;
-}
-
-int IndexValue(const MotionDof& dof, const std::string& index) {
-  const auto found = std::find_if(std::begin(kIndices), std::end(kIndices),
-                                  [&](const NamedIndex& named) { return index == named.name; });
-  if (found == std::end(kIndices)) throw PreconditionError("no DOF index is named " + index);
-  return found->value(dof);
 }
 
 std::vector<int> IndexValues(const MotionDof& dof, const DofDefinition& definition) {
@@ -135,6 +105,28 @@ const std::vector<DofLemma>& DofLemmas() {
   return lemmas;
 }
 
+const std::vector<DofLemma>& BoxLemmas() {
+  static const std::vector<DofLemma> lemmas = {
+      {"boxes-one-way",
+       "With axis-parallel faces, forces of one detaching direction turn about axes square to it: d_t = 1 "
+       "and "
+       "d_r2 = c_r = 0 give r_r <= 2.",
+       [](const MotionDof& d) {
+         return d.translation.detaching != 1 || d.rotation.detaching_type2 + d.rotation.constraining > 0 ||
+                d.rotation.restricted <= 2;
+       }},
+      {"boxes-three-couples",
+       "With axis-parallel faces, translation is blocked along the three axes by forces that cancel or turn: "
+       "c_t = 3 "
+       "and c_a = 0 give d_r2 + c_r >= 2.",
+       [](const MotionDof& d) {
+         return d.translation.constraining != 3 || d.all.constraining > 0 ||
+                d.rotation.detaching_type2 + d.rotation.constraining >= 2;
+       }},
+  };
+  return lemmas;
+}
+
 std::vector<MotionDof> DofCandidates() {
   std::vector<MotionDof> candidates;
   for (int mt = 0; mt <= 3; ++mt) {
@@ -165,6 +157,21 @@ std::vector<MotionDof> DofClasses() {
   std::vector<MotionDof> classes = DofCandidates();
   std::erase_if(classes, [](const MotionDof& dof) { return ExcludingLemma(dof).has_value(); });
   return classes;
+}
+
+std::vector<MotionDof> BoxClasses() {
+  std::vector<MotionDof> classes = DofClasses();
+  std::erase_if(classes, [](const MotionDof& dof) {
+    return std::any_of(BoxLemmas().begin(), BoxLemmas().end(),
+                       [&](const DofLemma& lemma) { return !lemma.holds(dof); });
+  });
+  return classes;
+}
+
+size_t CountDistinct(const std::vector<MotionDof>& dofs, const DofDefinition& definition) {
+  std::set<std::vector<int>> values;
+  for (const MotionDof& dof : dofs) values.insert(IndexValues(dof, definition));
+  return values.size();
 }
 
 size_t FewestContacts(const MotionDof& dof) {

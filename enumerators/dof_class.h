@@ -23,8 +23,6 @@ struct DofDefinition {
 /// Translation, rotation, rotation with Types I and II, all motion, and every combination: eleven.
 const std::vector<DofDefinition>& DofDefinitions();
 
-/// The value of an index such as "rotation.detaching_type1". PreconditionError: no such index.
-int IndexValue(const algebra::MotionDof& dof, const std::string& index);
 std::vector<int> IndexValues(const algebra::MotionDof& dof, const DofDefinition& definition);
 
 /// A law that every non-singular relation's DOFs obey.
@@ -34,6 +32,8 @@ struct DofLemma {
   bool (*holds)(const algebra::MotionDof& dof);
 };
 const std::vector<DofLemma>& DofLemmas();
+/// What holds besides if every face is parallel to a coordinate plane.
+const std::vector<DofLemma>& BoxLemmas();
 
 /// Every tuple of non-negative indices with the sums that the definitions and Proposition 3 give.
 std::vector<algebra::MotionDof> DofCandidates();
@@ -41,11 +41,15 @@ std::vector<algebra::MotionDof> DofCandidates();
 /// The first lemma that the tuple breaks.
 std::optional<size_t> ExcludingLemma(const algebra::MotionDof& candidate);
 
-/// The candidates that no lemma excludes, sorted: the DOF classes.
+/// The candidates that no lemma excludes, sorted: the DOF classes, 142.
 std::vector<algebra::MotionDof> DofClasses();
+/// Those of solids whose faces are all parallel to coordinate planes, 139.
+std::vector<algebra::MotionDof> BoxClasses();
+/// How many of the DOFs the definition tells apart.
+size_t CountDistinct(const std::vector<algebra::MotionDof>& dofs, const DofDefinition& definition);
 
-/// The fewest contacts that a relation of that class can have: the rank of its rows, and one more if
-/// some motion is blocked (a positive combination of c_a + 1 rows at least must vanish).
+/// The fewest contacts that a relation of that class can have: the rank of its rows, and one more if some motion
+/// is blocked, since c_a + 1 rows at least must then cancel.
 size_t FewestContacts(const algebra::MotionDof& dof);
 
 }  // namespace tact::enumerators

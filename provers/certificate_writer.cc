@@ -154,21 +154,10 @@ Json BasisToJson(const std::vector<std::vector<Integer>>& vectors) {
 
 }  // namespace
 
-int IndexValue(const MotionDof& dof, const std::string& index) {
-  if (index == "constant") return 1;
-  const Json all = DofToJson(dof);
-  const size_t dot = index.find('.');
-  if (dot != std::string::npos) {
-    const std::string motion = index.substr(0, dot), kind = index.substr(dot + 1);
-    if (all.contains(motion) && all[motion].is_object() && all[motion].contains(kind))
-      return all[motion][kind];
-  }
-  throw PreconditionError("no index " + index);
-}
-
 bool Holds(const Assertion& assertion, const MotionDof& dof) {
   int sum = 0;
-  for (const auto& [index, coefficient] : assertion.sum) sum += coefficient * IndexValue(dof, index);
+  for (const auto& [index, coefficient] : assertion.sum)
+    sum += coefficient * (index == "constant" ? 1 : IndexValue(dof, index));
   if (assertion.is == "zero") return sum == 0;
   if (assertion.is == "nonzero") return sum != 0;
   if (assertion.is == "negative") return sum < 0;
@@ -197,6 +186,28 @@ Certificate CensusCertificate(const std::string& name, const std::string& claim,
     list.push_back(Json{{"count", c.count}, {"relation", RelationToJson(c.witness)}});
   certificate["classes"] = list;
   AddAsserts(certificate, asserts);
+  return Finish(name, certificate);
+}
+
+Certificate DofClassesCertificate(const std::string& name, const std::string& claim, Faces faces,
+                                  const std::vector<ContactRelation>& witnesses,
+                                  const std::vector<enumerators::DofDefinition>& counted, bool fewest) {
+  Json certificate = Head(claim, "dof-classes");
+  certificate["faces"] = faces == Faces::kAny ? "any" : "axis-parallel";
+  Json classes = Json::array(), counts = Json::array();
+  std::vector<MotionDof> dofs;
+  size_t touching = 0;
+  for (const ContactRelation& witness : witnesses) {
+    classes.push_back(RelationToJson(witness));
+    dofs.push_back(algebra::ComputeMotionDof(witness));
+    touching += witness.contacts.empty() ? 0 : 1;
+  }
+  for (const auto& definition : counted)
+    counts.push_back(Json{{"indices", definition.indices}, {"classes", CountDistinct(dofs, definition)}});
+  certificate["classes"] = classes;
+  certificate["counts"] = counts;
+  certificate["touching"] = touching;
+  if (fewest) certificate["fewest"] = true;
   return Finish(name, certificate);
 }
 

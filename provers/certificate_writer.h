@@ -11,6 +11,7 @@
 #include "algebra/contact/dof_transition.h"
 #include "algebra/contact/motion_dof.h"
 #include "enumerators/contact_world.h"
+#include "enumerators/dof_class.h"
 #include "provers/certificate.h"
 
 namespace tact::provers {
@@ -21,8 +22,6 @@ struct Assertion {
   std::string is;  // "zero", "nonzero", "negative", "positive", "nonnegative"
 };
 
-/// The value of an index such as "rotation.detaching_type1" ("constant" is one). PreconditionError: no such index.
-int IndexValue(const algebra::MotionDof& dof, const std::string& index);
 bool Holds(const Assertion& assertion, const algebra::MotionDof& dof);
 
 struct CensusClass {
@@ -41,6 +40,11 @@ Certificate MotionDofCertificate(const std::string& name, const std::string& cla
 Certificate CensusCertificate(const std::string& name, const std::string& claim,
                               const enumerators::ContactWorld& world, const std::vector<CensusClass>& classes,
                               const std::vector<Assertion>& asserts);
+/// The complete list of DOF classes of solids of any faces or of axis-parallel ones (docs/dof-classes.md), a witness each.
+enum class Faces { kAny, kAxisParallel };
+Certificate DofClassesCertificate(const std::string& name, const std::string& claim, Faces faces,
+                                  const std::vector<algebra::ContactRelation>& witnesses,
+                                  const std::vector<enumerators::DofDefinition>& counted, bool fewest);
 /// Transitions from each relation to the next; expects names transitions by their place in the sequence.
 Certificate TransitionsCertificate(
     const std::string& name, const std::string& claim,

@@ -68,6 +68,28 @@ class Method {
   std::vector<T> selected_;
 };
 
+struct NamedIndex {
+  const char* name;
+  int (*value)(const MotionDof& dof);
+};
+
+constexpr NamedIndex kIndices[] = {
+    {"translation.maintaining", [](const MotionDof& d) { return d.translation.maintaining; }},
+    {"translation.detaching", [](const MotionDof& d) { return d.translation.detaching; }},
+    {"translation.constraining", [](const MotionDof& d) { return d.translation.constraining; }},
+    {"translation.restricted", [](const MotionDof& d) { return d.translation.restricted; }},
+    {"rotation.maintaining", [](const MotionDof& d) { return d.rotation.maintaining; }},
+    {"rotation.detaching", [](const MotionDof& d) { return d.rotation.detaching; }},
+    {"rotation.detaching_type1", [](const MotionDof& d) { return d.rotation.detaching_type1; }},
+    {"rotation.detaching_type2", [](const MotionDof& d) { return d.rotation.detaching_type2; }},
+    {"rotation.constraining", [](const MotionDof& d) { return d.rotation.constraining; }},
+    {"rotation.restricted", [](const MotionDof& d) { return d.rotation.restricted; }},
+    {"all.maintaining", [](const MotionDof& d) { return d.all.maintaining; }},
+    {"all.detaching", [](const MotionDof& d) { return d.all.detaching; }},
+    {"all.constraining", [](const MotionDof& d) { return d.all.constraining; }},
+    {"all.restricted", [](const MotionDof& d) { return d.all.restricted; }},
+};
+
 void RequireRows(std::span<const int64_t> rows) {
   constexpr int64_t kLimit = int64_t{1} << 60;
   if (rows.size() % 6 != 0)
@@ -136,6 +158,13 @@ MotionDof MotionDofEngine::Compute(std::span<const int64_t> rows) {
     m.large.ConeRanks(large.data(), large.size() / 6, ranks);
   }
   return FromRanks(ranks, ranks, false);
+}
+
+int IndexValue(const MotionDof& dof, std::string_view index) {
+  const auto found = std::find_if(std::begin(kIndices), std::end(kIndices),
+                                  [&](const NamedIndex& named) { return index == named.name; });
+  if (found == std::end(kIndices)) throw PreconditionError("no DOF index is named " + std::string(index));
+  return found->value(dof);
 }
 
 MotionDof ComputeMotionDof(const ContactRelation& relation) {

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string_view>
 
 #include "algebra/contact/contact_relation.h"
 
@@ -40,6 +41,10 @@ struct MotionDof {
   TranslationDof all;
   friend auto operator<=>(const MotionDof&, const MotionDof&) = default;
 };
+
+/// The index of that name, "translation.maintaining", "rotation.detaching_type1", "all.restricted" and so on.
+/// PreconditionError: no such index.
+int IndexValue(const MotionDof& dof, std::string_view index);
 
 /// PreconditionError: a zero normal, or a contact without planes.
 MotionDof ComputeMotionDof(const ContactRelation& relation);

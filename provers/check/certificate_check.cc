@@ -9,11 +9,12 @@
 namespace tact::check {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, void (*)(const Value&)>, 4> kKinds = {{
+constexpr std::array<std::pair<std::string_view, void (*)(const Value&)>, 5> kKinds = {{
     {"motion-dofs", CheckMotionDofs},
     {"transitions", CheckTransitions},
     {"basis", CheckBasis},
     {"ill-reduced-singular", CheckIllReducedSingular},
+    {"dof-classes", CheckDofClasses},
 }};
 constexpr std::array<std::string_view, 6> kCommonKeys = {"format", "version",   "claim",
                                                          "kind",   "statement", "note"};

@@ -25,5 +25,6 @@ std::string CheckCensus(const Value& certificate);
 void CheckTransitions(const Value& certificate);
 void CheckBasis(const Value& certificate);
 void CheckIllReducedSingular(const Value& certificate);
+void CheckDofClasses(const Value& certificate);
 
 }  // namespace tact::check

@@ -16,6 +16,8 @@ std::vector<Claim> PropositionClaims();
 std::vector<Claim> MotionDofClaims();
 /// [thesis, 2.2.2-2.6]: singular relations, restricted DOFs, sub-skill rules.
 std::vector<Claim> SingularClaims();
+/// [thesis, 2.3]: how many kinds of contact relations there are.
+std::vector<Claim> DofClassClaims();
 /// [thesis, 2.8.2]: the peg insertion and its seven transitions.
 std::vector<Claim> PegInsertionClaims();
 

@@ -239,13 +239,4 @@ std::vector<Claim> PegInsertionClaims() {
   return claims;
 }
 
-std::vector<Claim> AllClaims() {
-  std::vector<Claim> all;
-  for (auto part : {DisplacementClaims(), PropositionClaims(), MotionDofClaims(), SingularClaims(),
-                    PegInsertionClaims()}) {
-    all.insert(all.end(), part.begin(), part.end());
-  }
-  return all;
-}
-
 }  // namespace tact::provers

@@ -21,7 +21,7 @@ constexpr double kEdgeOn = 1e-9;      // a unit normal's z below this: the face 
 struct PaintedFace {
   Part part;
   std::string style;
-  std::vector<std::pair<ViewPoint, ViewPoint>> convex, concave;
+  std::vector<std::pair<ViewPoint, ViewPoint>> convex, concave, thin;
 };
 
 struct Arrow {
@@ -41,14 +41,18 @@ ViewPoint UnitInView(const Projection& project, const algebra::Vector3& v) {
 }
 
 std::string FaceStyle(Part part, const ViewPoint& normal) {
+  if (part == Part::kOutline) return "fill=\"none\"";
   const bool front = normal.z > 0;
   const double side = front ? 1 : -1;
   const double light = std::max(0.0, side * (-0.40 * normal.x + 0.62 * normal.y + 0.67 * normal.z));
   const double shade = 0.66 + 0.34 * light;
   const std::array<double, 3> base = part == Part::kMoving ? std::array{246.0, 196.0, 108.0}
+                                     : part == Part::kWall ? std::array{150.0, 192.0, 230.0}
                                      : front               ? std::array{176.0, 200.0, 222.0}
                                                            : std::array{214.0, 226.0, 236.0};
-  const double opacity = part == Part::kMoving ? 0.93 : (front ? 0.42 : 0.8);
+  const double opacity = part == Part::kMoving ? 0.93
+                         : part == Part::kWall ? (front ? 0.62 : 0.16)
+                                               : (front ? 0.42 : 0.8);
   return fmt::format("fill=\"#{:02x}{:02x}{:02x}\" fill-opacity=\"{}\" fill-rule=\"evenodd\"",
                      static_cast<int>(base[0] * shade), static_cast<int>(base[1] * shade),
                      static_cast<int>(base[2] * shade), opacity);
@@ -64,7 +68,7 @@ void CollectFaces(const std::vector<DrawnSolid>& solids, const Projection& proje
       const ViewPoint normal = UnitInView(project, face.normal);
       if (std::abs(normal.z) < kEdgeOn || (drawn.part == Part::kMoving && normal.z < 0)) continue;
       FlatFace outline{{}, normal};
-      PaintedFace paint{drawn.part, FaceStyle(drawn.part, normal), {}, {}};
+      PaintedFace paint{drawn.part, FaceStyle(drawn.part, normal), {}, {}, {}};
       for (const auto& loop : face.loops) {
         std::vector<ViewPoint>& corners = outline.loops.emplace_back();
         for (const size_t vertex : loop) corners.push_back(points.at(vertex));
@@ -72,7 +76,9 @@ void CollectFaces(const std::vector<DrawnSolid>& solids, const Projection& proje
       for (const auto& loop : face.loop_edges) {
         for (const size_t index : loop) {
           const algebra::Edge& edge = drawn.solid.edges.at(index);
-          auto& lines = edge.convexity == algebra::Convexity::kConvex ? paint.convex : paint.concave;
+          auto& lines = drawn.part == Part::kWall || drawn.part == Part::kOutline ? paint.thin
+                        : edge.convexity == algebra::Convexity::kConvex           ? paint.convex
+                                                                                  : paint.concave;
           lines.emplace_back(points.at(edge.tail), points.at(edge.head));
         }
       }
@@ -104,6 +110,10 @@ void DrawFaces(SvgCanvas& canvas, const std::vector<FlatFace>& flat, const std::
     canvas.Area(flat[i].loops, painted[i].style);
     canvas.Lines(painted[i].convex, "stroke=\"#35332f\" stroke-width=\"1\"");
     canvas.Lines(painted[i].concave, "stroke=\"#7b2fa8\" stroke-width=\"2.2\"");
+    canvas.Lines(painted[i].thin,
+                 painted[i].part == Part::kWall
+                     ? "stroke=\"#4b6f93\" stroke-width=\"0.9\""
+                     : "stroke=\"#8fa3b5\" stroke-width=\"0.9\" stroke-dasharray=\"0.1 3.2\"");
   }
 }
 

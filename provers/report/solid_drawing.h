@@ -15,9 +15,11 @@
 
 namespace tact::provers {
 
-enum class Part { kMoving, kFixed };
+/// A wall is part of a fixed solid's surface, translucent from both sides, with thin edges; an outline is its
+/// edges alone, dotted.
+enum class Part { kMoving, kFixed, kWall, kOutline };
 
-/// A solid where it is: solids and relation are in one frame.
+/// A solid where it is: solids and relation are in one frame. Walls and outlines need not be closed.
 struct DrawnSolid {
   algebra::Polyhedron solid;
   Part part = Part::kFixed;

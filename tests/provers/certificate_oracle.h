@@ -3,6 +3,7 @@
 /// of each kind, without any code of provers/check. Numbers may be wrong here, the shape may not.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -13,6 +14,7 @@
 #include "algebra/contact/motion_dof.h"
 #include "algebra/exact/linear_algebra.h"
 #include "enumerators/contact_world.h"
+#include "enumerators/dof_class.h"
 
 namespace tact::provers::oracle {
 
@@ -273,9 +275,39 @@ inline bool IllReducedIsRight(const json& c) {
   return first && second;
 }
 
+inline bool IsAxisParallel(const json& relation) {
+  for (const json& contact : relation["contacts"]) {
+    for (const json& plane : contact["planes"]) {
+      if (std::count(plane.begin(), plane.end(), 0) != 2) return false;
+    }
+  }
+  return true;
+}
+
+inline bool DofClassesAreRight(const json& c) {
+  const bool boxes = c["faces"] == "axis-parallel";
+  const auto classes = boxes ? enumerators::BoxClasses() : enumerators::DofClasses();
+  std::set<MotionDof> seen;
+  size_t touching = 0;
+  for (const json& relation : c["classes"]) {
+    const auto dof = RightRelation(relation);
+    if (!dof || dof->singular || !seen.insert(*dof).second || (boxes && !IsAxisParallel(relation)))
+      return false;
+    const size_t contacts = relation["contacts"].size();
+    if (c.value("fewest", false) && contacts != enumerators::FewestContacts(*dof)) return false;
+    touching += contacts > 0 ? 1 : 0;
+  }
+  if (std::vector<MotionDof>(seen.begin(), seen.end()) != classes || c["touching"] != touching) return false;
+  for (const json& entry : c["counts"]) {
+    if (entry["classes"] != enumerators::CountDistinct(classes, {"", entry["indices"]})) return false;
+  }
+  return true;
+}
+
 inline bool IsRight(const json& c) {
   if (c["version"] != 1) return false;
   const std::string kind = c["kind"];
+  if (kind == "dof-classes") return DofClassesAreRight(c);
   if (kind == "census") return CensusIsRight(c);
   if (kind == "transitions") return TransitionsAreRight(c);
   if (kind == "basis") return BasisIsRight(c);

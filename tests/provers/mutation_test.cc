@@ -107,14 +107,27 @@ void TryMutations(Effort effort) {
             << " that leave it right: all accepted\n";
   for (const auto& [group, tally] : tallies)
     std::cout << "  " << group << ": " << tally.wrong << " wrong, " << tally.harmless << " right\n";
-  for (const char* touched :
-       {"basis /vectors", "basis /reduced", "basis /translations", "census /count", "census /classes/count",
-        "census /generator/contacts/point", "census /generator/contacts/planes", "census /generator/largest",
-        "census /asserts/sum/constant", "census /classes/relation/all/x", "census /classes/relation/all/y",
-        "ill-reduced-singular /motion", "ill-reduced-singular /between",
-        "motion-dofs /relation/contacts/point", "motion-dofs /relation/contacts/planes",
-        "motion-dofs /relation/dof/all/maintaining", "transitions /transitions/from",
-        "transitions /transitions/to", "transitions /expects/changes/translation.maintaining"}) {
+  for (const char* touched : {"basis /vectors",
+                              "basis /reduced",
+                              "basis /translations",
+                              "census /count",
+                              "census /classes/count",
+                              "census /generator/contacts/point",
+                              "census /generator/contacts/planes",
+                              "census /generator/largest",
+                              "census /asserts/sum/constant",
+                              "dof-classes /classes/contacts/planes",
+                              "dof-classes /counts/classes",
+                              "census /classes/relation/all/x",
+                              "census /classes/relation/all/y",
+                              "ill-reduced-singular /motion",
+                              "ill-reduced-singular /between",
+                              "motion-dofs /relation/contacts/point",
+                              "motion-dofs /relation/contacts/planes",
+                              "motion-dofs /relation/dof/all/maintaining",
+                              "transitions /transitions/from",
+                              "transitions /transitions/to",
+                              "transitions /expects/changes/translation.maintaining"}) {
     EXPECT_GT(tallies[touched].wrong, 0u) << touched;
   }
 }

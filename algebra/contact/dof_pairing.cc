@@ -1,0 +1,104 @@
+#include "algebra/contact/dof_pairing.h"
+
+#include "algebra/cone/complementary_pair.h"
+#include "algebra/contact/contact_rows.h"
+#include "algebra/exact/linear_algebra.h"
+
+namespace tact::algebra {
+namespace {
+
+constexpr size_t kSteps = 3;  // maintaining, legal, all
+
+// Bases of the directions that keep every contact and of those that the legal ones span.
+struct Filtration {
+  std::array<IntegerMatrix, 2> spaces;
+  bool singular = false;
+
+  size_t Dimension(size_t step) const { return step == 0 ? 0 : (step < kSteps ? spaces[step - 1].rows : 3); }
+};
+
+IntegerMatrix VanishingRows(const IntegerMatrix& rows) {
+  const ComplementaryPair pair = FindComplementaryPair(rows.entries, static_cast<int>(rows.columns));
+  std::vector<size_t> vanishing;
+  for (size_t i = 0; i < rows.rows; ++i) {
+    if (pair.y[i].sign() > 0) vanishing.push_back(i);
+  }
+  return SelectRows(rows, vanishing);
+}
+
+// The space of motions on which the rows vanish, as directions of translation, or of axes.
+IntegerMatrix Directions(const IntegerMatrix& rows) {
+  const IntegerMatrix space = NullSpace(rows);
+  if (rows.columns == 3) return space;
+  const std::vector<size_t> angular = {0, 1, 2};
+  return RowSpace(SelectColumns(space, angular)).vectors;
+}
+
+Filtration FiltrationOf(const ContactRelation& relation, Motion motion) {
+  const size_t columns = motion == Motion::kTranslation ? 3 : 6;
+  IntegerMatrix rows(0, columns);
+  for (const Contact& contact : relation.WithoutSingular().contacts) {
+    const std::vector<Integer> row = ContactRow(contact.point, contact.planes[0]);
+    rows.AppendRow(std::span(row).last(columns));
+  }
+  return {{Directions(rows), Directions(VanishingRows(rows))}, relation.singular()};
+}
+
+size_t CommonDimension(const Filtration& a, size_t i, const Filtration& b, size_t j) {
+  if (i == 0 || j == 0) return 0;
+  if (i == kSteps) return b.Dimension(j);
+  if (j == kSteps) return a.Dimension(i);
+  IntegerMatrix both = a.spaces[i - 1];
+  both.AppendRows(b.spaces[j - 1]);
+  return a.Dimension(i) + b.Dimension(j) - Rank(both);
+}
+
+}  // namespace
+
+DofPairing PairByDirection(const ContactRelation& before, const ContactRelation& after, Motion motion) {
+  const Filtration a = FiltrationOf(before, motion), b = FiltrationOf(after, motion);
+  DofPairing pairing{};
+  for (size_t i = 1; i <= kSteps; ++i) {
+    for (size_t j = 1; j <= kSteps; ++j) {
+      const size_t count = CommonDimension(a, i, b, j) + CommonDimension(a, i - 1, b, j - 1) -
+                           CommonDimension(a, i - 1, b, j) - CommonDimension(a, i, b, j - 1);
+      pairing[i - 1 + (a.singular ? kSteps : 0)][j - 1 + (b.singular ? kSteps : 0)] = static_cast<int>(count);
+    }
+  }
+  return pairing;
+}
+
+std::vector<DofTransition> DofTransitionsByDirection(const ContactRelation& before,
+                                                     const ContactRelation& after) {
+  std::vector<DofTransition> transitions;
+  for (const Motion motion : {Motion::kTranslation, Motion::kRotation}) {
+    const DofPairing pairing = PairByDirection(before, after, motion);
+    for (int from = 0; from < kDofIndices; ++from) {
+      for (int to = 0; to < kDofIndices; ++to) {
+        if (from == to || pairing[from][to] == 0) continue;
+        transitions.push_back({motion, static_cast<DofIndex>(from), static_cast<DofIndex>(to)});
+      }
+    }
+  }
+  return transitions;
+}
+
+std::vector<DofTransition> ForcedDofTransitions(const MotionDof& before, const MotionDof& after) {
+  std::vector<DofTransition> transitions;
+  for (const Motion motion : {Motion::kTranslation, Motion::kRotation}) {
+    const auto a = Indices(before, motion), b = Indices(after, motion);
+    int total = 0;
+    for (int i = 0; i < kDofIndices; ++i) total += a[i] > b[i] ? a[i] - b[i] : 0;
+    for (int from = 0; from < kDofIndices; ++from) {
+      for (int to = 0; to < kDofIndices; ++to) {
+        // What falls at `from` can go elsewhere only into what rises elsewhere.
+        const int fall = a[from] - b[from], rise = b[to] - a[to];
+        if (fall > 0 && rise > 0 && fall + rise > total)
+          transitions.push_back({motion, static_cast<DofIndex>(from), static_cast<DofIndex>(to)});
+      }
+    }
+  }
+  return transitions;
+}
+
+}  // namespace tact::algebra

@@ -1,0 +1,14 @@
+#include "provers/claims/claims.h"
+
+namespace tact::provers {
+
+std::vector<Claim> AllClaims() {
+  std::vector<Claim> all;
+  for (auto part : {DisplacementClaims(), PropositionClaims(), MotionDofClaims(), DofClassClaims(),
+                    SingularClaims(), PegInsertionClaims()}) {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
+}
+
+}  // namespace tact::provers

@@ -1,0 +1,81 @@
+// The list of all DOF classes as a certificate: complete lists are accepted, any other is refused with its reason.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "enumerators/dof_census.h"
+#include "provers/certificate_writer.h"
+#include "provers/check/check.h"
+
+namespace tact::provers {
+namespace {
+
+using nlohmann::json;
+
+json Complete(Faces faces) {
+  static std::map<Faces, json> known;
+  const auto [at, is_new] = known.try_emplace(faces);
+  if (!is_new) return at->second;
+  const enumerators::DofCensus census(faces == Faces::kAny ? enumerators::CornerWorld(7)
+                                                           : enumerators::CubeWorld(9));
+  std::vector<algebra::ContactRelation> witnesses;
+  for (const auto& c : census.Count()) witnesses.push_back(census.Relation(c.witness));
+  at->second = json::parse(DofClassesCertificate("list", "list", faces, witnesses,
+                                                 enumerators::DofDefinitions(), faces == Faces::kAny)
+                               .json);
+  return at->second;
+}
+
+std::string Why(const json& certificate) { return check::CheckCertificate(certificate.dump()).why; }
+
+TEST(DofClassesCertificate, CompleteListsAreAccepted) {
+  EXPECT_EQ(Why(Complete(Faces::kAny)), "");
+  EXPECT_EQ(Why(Complete(Faces::kAxisParallel)), "");
+}
+
+TEST(DofClassesCertificate, AMissingClassIsNoticed) {
+  json list = Complete(Faces::kAny);
+  list["classes"].erase(17);
+  EXPECT_EQ(Why(list), "classes: 1 of 142 classes have no witness");
+}
+
+TEST(DofClassesCertificate, AClassTwiceIsRefused) {
+  json list = Complete(Faces::kAny);
+  list["classes"].push_back(list["classes"][3]);
+  EXPECT_EQ(Why(list), "classes[142]: its class has a witness already");
+}
+
+TEST(DofClassesCertificate, BoxesAreNotAllThereIs) {
+  json list = Complete(Faces::kAxisParallel);
+  list["faces"] = "any";
+  EXPECT_EQ(Why(list), "classes: 3 of 142 classes have no witness");
+}
+
+TEST(DofClassesCertificate, OtherFacesAreNoBoxes) {
+  json list = Complete(Faces::kAny);
+  list["faces"] = "axis-parallel";
+  list.erase("fewest");
+  EXPECT_NE(Why(list).find("its plane is not parallel to a coordinate plane"), std::string::npos);
+  list["faces"] = "round";
+  EXPECT_EQ(Why(list), "faces: expected \"any\" or \"axis-parallel\"");
+}
+
+TEST(DofClassesCertificate, AWrongCountIsRefused) {
+  json list = Complete(Faces::kAny);
+  list["counts"][4]["classes"] = 138;
+  EXPECT_EQ(Why(list), "counts[4].classes: these indices tell 66 classes apart");
+  list = Complete(Faces::kAxisParallel);
+  list["touching"] = 139;
+  EXPECT_EQ(Why(list), "touching: 138 witnesses have contacts");
+  list["counts"][0]["indices"][0] = "translation.wobbling";
+  EXPECT_NE(Why(list), "");
+}
+
+TEST(DofClassesCertificate, AWitnessWithAContactTooManyIsNotSmallest) {
+  json list = Complete(Faces::kAxisParallel);  // boxes need more contacts for some classes
+  list["fewest"] = true;
+  EXPECT_NE(Why(list).find("the fewest contacts of its class are"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tact::provers
