@@ -7,6 +7,7 @@
 #include "cli/output.h"
 #include "cli/unit_run.h"
 #include "enumerators/dof_counts_text.h"
+#include "provers/report/dof_class_page.h"
 
 namespace tact::cli {
 namespace {
@@ -61,6 +62,7 @@ ExitStatus RunEnumerateDofClasses(const EnumerateOptions& options) {
   if (runner.keeps()) {
     runner.Keep("classes.json", json);
     runner.Keep("classes.csv", csv);
+    runner.Keep("index.html", provers::DofClassPage(census, answer.lists));
   }
   Output out;
   out << (options.json ? json : options.csv ? csv : ToTable(answer));
