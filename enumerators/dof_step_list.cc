@@ -1,5 +1,6 @@
 #include "enumerators/dof_step_list.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <utility>
@@ -28,6 +29,18 @@ DofStepList ListOf(const DofSteps& steps, AdditionKind kind, const DofDefinition
 }
 
 }  // namespace
+
+uint64_t DofStepList::steps() const {
+  uint64_t steps = within;
+  for (const FoundStep& step : found) steps += step.count;
+  return steps;
+}
+
+uint64_t DofStepList::Count(const std::vector<int>& from, const std::vector<int>& to) const {
+  const auto at =
+      std::ranges::find_if(found, [&](const FoundStep& s) { return s.from == from && s.to == to; });
+  return at == found.end() ? 0 : at->count;
+}
 
 std::vector<DofStepList> ListDofSteps(const DofSteps& steps) {
   std::vector<DofStepList> lists;

@@ -22,6 +22,11 @@ struct DofStepList {
   const DofDefinition* definition;
   std::vector<FoundStep> found;  // by increasing from, then to; from and to differ
   uint64_t within = 0;           // steps that stay in their class
+
+  /// All steps of that addition.
+  uint64_t steps() const;
+  /// From one class to another.
+  uint64_t Count(const std::vector<int>& from, const std::vector<int>& to) const;
 };
 
 /// By addition, then by definition in the order of DofDefinitions().
