@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
+#include <array>
+
 #include "cli/dof_transition_text.h"
+#include "cli/text_pieces.h"
 
 namespace tact::cli {
 namespace {
@@ -67,6 +70,18 @@ std::string ClassTable(const DofTransitionFindings& findings) {
                      findings.census.relations(), findings.census.world().sentence);
 }
 
+std::string BlockTable(const DofTransitionFindings& findings) {
+  std::string table =
+      "Steps after which a motion has fewer maintaining and more constraining DOFs\n"
+      "         translation    rotation\n";
+  for (const enumerators::DirectBlocks& blocks : findings.direct_blocks) {
+    const bool first = blocks.motion == Motion::kTranslation;
+    table += first ? fmt::format("{:<8}{:>12}", enumerators::ToString(blocks.kind), blocks.steps)
+                   : fmt::format("{:>12}\n", blocks.steps);
+  }
+  return table;
+}
+
 std::string ShownCell(const ShownTransition& shown) {
   const std::string mark = !shown.scene ? "." : shown.forced ? "f" : "d";
   return IsPractical(shown.transition) ? mark : "(" + mark + ")";
@@ -113,8 +128,9 @@ std::string Stories(const DofTransitionFindings& findings) {
 }  // namespace
 
 std::string ToTable(const DofTransitionFindings& findings) {
-  return TranslationTable(findings) + "\n" + TranslationMatrix(findings) + "\n" + ClassTable(findings) +
-         "\n" + ShownMatrices(findings) + "\n" + Stories(findings) +
+  return Join(std::array{TranslationTable(findings), TranslationMatrix(findings), ClassTable(findings),
+                         BlockTable(findings), ShownMatrices(findings), Stories(findings)},
+              "\n", [](const std::string& part) { return part; }) +
          "\nRemoving contacts is adding them read backwards.\n";
 }
 

@@ -65,6 +65,12 @@ std::string AdditionToJson(const DofTransitionFindings& findings, enumerators::A
                      enumerators::ToString(kind), additions, steps, fmt::join(definitions, ",\n"));
 }
 
+std::string BlocksToJson(const DofStepCensus& census, const enumerators::DirectBlocks& blocks) {
+  return fmt::format(R"({{"added":"{}","motion":"{}","steps":{}{}}})", enumerators::ToString(blocks.kind),
+                     ToString(blocks.motion), blocks.steps,
+                     blocks.smallest ? R"(,"witness":)" + WitnessToJson(census, *blocks.smallest) : "");
+}
+
 std::string PiecesToJson(const std::vector<std::vector<algebra::Vector3>>& pieces) {
   return "[" +
          Join(pieces, ",",
@@ -112,9 +118,12 @@ std::string ToJson(const DofTransitionFindings& findings, const std::string& wor
   for (size_t kind = 0; kind < enumerators::kAdditionKinds; ++kind)
     additions.push_back(AdditionToJson(findings, static_cast<enumerators::AdditionKind>(kind)));
   return fmt::format(
-      "{{\"translation_steps\":[\n{}],\n\"class_steps\":[\n{}],\n\"dof_transitions\":[\n{}],\n"
+      "{{\"translation_steps\":[\n{}],\n\"class_steps\":[\n{}],\n\"maintaining_to_constraining\":[\n{}],"
+      "\n\"dof_transitions\":[\n{}],\n"
       "\"world\":{{\"name\":{},\"sentence\":{},\"contacts\":{},\"largest\":{}}},\"relations\":{}}}\n",
       Join(findings.translation, ",\n", StepsToJson), fmt::join(additions, ",\n"),
+      Join(findings.direct_blocks, ",\n",
+           [&](const enumerators::DirectBlocks& blocks) { return BlocksToJson(findings.census, blocks); }),
       Join(findings.shown, ",\n", [&](const ShownTransition& shown) { return ShownToJson(findings, shown); }),
       JsonString(world_name), JsonString(world.sentence), world.contacts.size(), world.largest,
       findings.census.relations());

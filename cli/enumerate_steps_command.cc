@@ -50,6 +50,7 @@ ExitStatus RunEnumerateDofTransitions(const EnumerateOptions& options) {
   constexpr size_t kNormals = 4;  // more add no step between the kinds in translation
   provers::DofTransitionFindings findings{census,
                                           enumerators::ListDofSteps(steps),
+                                          enumerators::CountDirectBlocks(steps),
                                           enumerators::TranslationSteps(kNormals),
                                           provers::ShowScenes(),
                                           {}};

@@ -51,6 +51,26 @@ std::vector<DofStepList> ListDofSteps(const DofSteps& steps) {
   return lists;
 }
 
+std::vector<DirectBlocks> CountDirectBlocks(const DofSteps& steps) {
+  const std::vector<algebra::MotionDof> classes = DofClasses();
+  std::vector<DirectBlocks> blocks;
+  for (size_t kind = 0; kind < kAdditionKinds; ++kind) {
+    for (const algebra::Motion motion : {algebra::Motion::kTranslation, algebra::Motion::kRotation}) {
+      DirectBlocks& block = blocks.emplace_back(static_cast<AdditionKind>(kind), motion, 0, std::nullopt);
+      for (const DofStep& step : steps) {
+        const auto before = Indices(classes[step.before], motion),
+                   after = Indices(classes[step.after], motion);
+        constexpr auto kM = static_cast<size_t>(algebra::DofIndex::kMaintaining);
+        constexpr auto kC = static_cast<size_t>(algebra::DofIndex::kConstraining);
+        if (step.kind != block.kind || before[kM] <= after[kM] || before[kC] >= after[kC]) continue;
+        block.steps += step.count;
+        if (!block.smallest || ComesBefore(step.witness, *block.smallest)) block.smallest = step.witness;
+      }
+    }
+  }
+  return blocks;
+}
+
 size_t CountPairs(const std::vector<DofStepList>& lists, size_t definition) {
   std::set<std::pair<std::vector<int>, std::vector<int>>> pairs;
   for (const DofStepList& list : lists) {

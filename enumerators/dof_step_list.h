@@ -4,8 +4,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "algebra/contact/dof_transition.h"
 #include "enumerators/dof_class.h"
 #include "enumerators/dof_step_census.h"
 
@@ -31,6 +33,17 @@ struct DofStepList {
 
 /// By addition, then by definition in the order of DofDefinitions().
 std::vector<DofStepList> ListDofSteps(const DofSteps& steps);
+
+/// The steps of one addition after which a motion has fewer maintaining and more constraining DOFs: some maintaining DOF
+/// must have become constraining. One contact alone makes none.
+struct DirectBlocks {
+  AdditionKind kind;
+  algebra::Motion motion;
+  uint64_t steps = 0;
+  std::optional<StepWitness> smallest;
+};
+/// By addition, then translation, rotation.
+std::vector<DirectBlocks> CountDirectBlocks(const DofSteps& steps);
 
 /// Ordered pairs of classes that an addition of any kind connects. Precondition: a number of DofDefinitions().
 size_t CountPairs(const std::vector<DofStepList>& lists, size_t definition);

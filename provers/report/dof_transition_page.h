@@ -15,6 +15,7 @@ namespace tact::provers {
 struct DofTransitionFindings {
   const enumerators::DofStepCensus& census;
   std::vector<enumerators::DofStepList> lists;           // enumerators::ListDofSteps of it
+  std::vector<enumerators::DirectBlocks> direct_blocks;  // enumerators::CountDirectBlocks of it
   std::vector<enumerators::StepDefinition> translation;  // enumerators::TranslationSteps
   std::vector<ShownScene> scenes;                        // ShowScenes
   std::vector<ShownTransition> shown;                    // ShownTransitions of them
