@@ -64,10 +64,11 @@ std::string ClassTable(const DofTransitionFindings& findings) {
     }
     table += fmt::format("{:>7}  {}\n", CountPairs(findings.lists, i), definitions[i].name);
   }
+  const enumerators::ContactWorld& world = findings.census.world();
   return table + fmt::format(
-                     "Found on {} relations without repetition, each with every contact, edge and "
-                     "face more: {}.\nMore contacts may connect more pairs.\n",
-                     findings.census.relations(), findings.census.world().sentence);
+                     "Found from {} relations of at most {} contacts and every contact, edge and face more, "
+                     "in this world:\n{}.\nMore contacts may connect more pairs.\n",
+                     findings.census.relations(), world.largest - 1, world.sentence);
 }
 
 std::string BlockTable(const DofTransitionFindings& findings) {

@@ -33,9 +33,13 @@ constexpr std::array<const char*, enumerators::kAdditionKinds> kColours = {"#256
 std::string Grouped(uint64_t value) { return GroupedDigits(static_cast<long long>(value)); }
 
 std::string Head(const DofTransitionFindings& findings) {
-  const auto shown = std::ranges::count_if(findings.shown, [](const ShownTransition& s) {
-    return s.scene && s.transition.motion == Motion::kTranslation;
-  });
+  const auto shown =
+      std::ranges::count_if(findings.shown, [](const ShownTransition& s) { return s.scene.has_value(); });
+  const std::string of_thirty =
+      static_cast<size_t>(shown) == findings.shown.size()
+          ? "all, in translation and in rotation"
+          : fmt::format("{} of {}, those of translation and of rotation counted apart", shown,
+                        findings.shown.size());
   return fmt::format(
       "<header class=\"top\">\n<h1>From contact to contact</h1>\n"
       "<p class=\"lead\">The steps between contact relations, and the DOF-transitions that solids show.</p>\n"
@@ -45,11 +49,11 @@ std::string Head(const DofTransitionFindings& findings) {
       "motions there are of each kind changes when something more touches, and changes back when it parts: "
       "read every step below backwards as well. Three questions are answered: which steps there are between "
       "the ten kinds in translation; which between the finer classes, when a contact, an edge or a face is "
-      "added; and which of the thirty DOF-transitions real solids show ({} in translation).</p>\n"
-      "<p>Steps were tried from {} relations, with {} contacts, edges and faces to add to each: {}, the last "
-      "contact being an added one.</p>\n</header>\n",
-      shown, Grouped(findings.census.relations()), findings.census.additions().size(),
-      Escape(findings.census.world().sentence));
+      "added; and which of the thirty DOF-transitions real solids show ({}).</p>\n"
+      "<p>Steps between classes were tried from {} relations of at most {} contacts, with {} contacts, edges "
+      "and faces to add. The world: {}.</p>\n</header>\n",
+      of_thirty, Grouped(findings.census.relations()), findings.census.world().largest - 1,
+      findings.census.additions().size(), Escape(findings.census.world().sentence));
 }
 
 // ---- In translation
@@ -127,6 +131,10 @@ std::string ClassText(const Values& v) {
                      v[5], v[6], v[7], v[8], v[9]);
 }
 
+std::string Article(AdditionKind kind) {
+  return (kind == AdditionKind::kEdge ? "an " : "a ") + ToString(kind);
+}
+
 struct DotCounts {
   std::array<uint64_t, enumerators::kAdditionKinds> steps{};
 };
@@ -152,18 +160,16 @@ std::string DotMatrix(const DofTransitionFindings& findings) {
   }
   std::vector<MatrixDot> dots;
   for (const auto& [pair, counts] : pairs) {
-    size_t least = 0;
+    size_t least = counts.steps.size();
     std::string how;
-    for (size_t kind = counts.steps.size(); kind-- > 0;) {
+    for (size_t kind = 0; kind < counts.steps.size(); ++kind) {
       if (counts.steps[kind] == 0) continue;
-      least = kind;
-      how =
-          fmt::format("{}{} by {} {}", Grouped(counts.steps[kind]), kind == 0 && how.empty() ? " steps" : "",
-                      kind == 1 ? "an" : "a", ToString(static_cast<AdditionKind>(kind))) +
-          (how.empty() ? "" : ", " + how);
+      least = std::min(least, kind);
+      how += fmt::format("{} {} by {}", how.empty() ? "" : ",", Grouped(counts.steps[kind]),
+                         Article(static_cast<AdditionKind>(kind)));
     }
     dots.push_back({places.at(pair.first), places.at(pair.second), kColours[least],
-                    ClassText(pair.first) + " \u2192 " + ClassText(pair.second) + ": " + how});
+                    ClassText(pair.first) + " \u2192 " + ClassText(pair.second) + ":" + how});
   }
   return DrawDotMatrix(groups, dots, "Steps between DOF classes");
 }
@@ -220,8 +226,8 @@ std::string BlockFigures(const DofTransitionFindings& findings, const DirectBloc
                        d.detaching, d.constraining);
   };
   const View view{.width = 340, .height = 280};
-  return fmt::format("<h3>The smallest step of that kind, by {} {}</h3>\n<div class=\"figures\">\n",
-                     blocks.kind == AdditionKind::kEdge ? "an" : "a", ToString(blocks.kind)) +
+  return fmt::format("<h3>The smallest step of that kind, by {}</h3>\n<div class=\"figures\">\n",
+                     Article(blocks.kind)) +
          FigureHtml({"Before: " + dofs(before) + ". Point \u2192 normal: " + Vectors(before) + ".",
                      DrawRelationSolids(RealizeRelation(before), view)},
                     id + "-before") +

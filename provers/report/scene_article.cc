@@ -21,11 +21,16 @@ std::string Words(DofIndex index) {
   return words;
 }
 
+std::string Capital(std::string words) {
+  words[0] = static_cast<char>(words[0] - 'a' + 'A');
+  return words;
+}
+
 std::string Dofs(const algebra::MotionDof& dof) {
   const auto three = [](const auto& d) {
-    return fmt::format("{} {} {}", d.maintaining, d.detaching, d.constraining);
+    return fmt::format("{}\u00A0{}\u00A0{}", d.maintaining, d.detaching, d.constraining);
   };
-  return fmt::format("{}translation {}, rotation {}", dof.singular ? "singular; " : "",
+  return fmt::format("{}: translation {}, rotation {}.", dof.singular ? "singular" : "not singular",
                      three(dof.translation), three(dof.rotation));
 }
 
@@ -58,16 +63,25 @@ std::string Pairs(const std::vector<DofTransition>& list, Motion motion) {
   return text.empty() ? "none" : text;
 }
 
-std::string Draw(const ShownScene& scene, const algebra::Rational& s,
-                 const algebra::ContactRelation& relation) {
+// Into a hole one looks over its low walls.
+View ViewOf(const ShownScene& scene) {
   View view;
   view.width = 340;
-  view.height = 300;
+  view.height = 320;
+  const bool hole =
+      scene.given.before == DofIndex::kConstraining && scene.given.after != DofIndex::kSingularMaintaining;
+  if (hole) view.toward_viewer = {-0.75, -1, 0.8};
+  return view;
+}
+
+// The moving solid at s, and its outline at the other end of the path.
+std::string Draw(const ShownScene& scene, int s, const algebra::ContactRelation& relation) {
   const algebra::Scene& solids = scene.given.scene;
-  return DrawContactRelation(
-      {{algebra::UnionOfHulls(solids.fixed_pieces), Part::kFixed},
-       {Transform(algebra::UnionOfHulls(solids.moving_pieces), solids.path.At(s)), Part::kMoving}},
-      relation, view);
+  const algebra::Polyhedron moving = algebra::UnionOfHulls(solids.moving_pieces);
+  return DrawContactRelation({{algebra::UnionOfHulls(solids.fixed_pieces), Part::kFixed},
+                              {Transform(moving, solids.path.At(1 - s)), Part::kOutline},
+                              {Transform(moving, solids.path.At(s)), Part::kMoving}},
+                             relation, ViewOf(scene));
 }
 
 }  // namespace
@@ -81,7 +95,7 @@ std::string SceneArticle(const ShownScene& scene) {
   const std::string id = SceneId(scene);
   std::string html = fmt::format(
       "<article class=\"claim\" id=\"{}\">\n<h3>{} \u2194 {}</h3>\n<p class=\"statement\">{}</p>\n<dl>", id,
-      Words(before), Words(after), Escape(scene.given.story));
+      Capital(Words(before)), Words(after), Escape(scene.given.story));
   const auto fact = [&](const char* name, const std::string& value) {
     html += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", name, Escape(value));
   };
@@ -91,13 +105,12 @@ std::string SceneArticle(const ShownScene& scene) {
   fact("Shown", Motions(scene.by_direction, scene));
   fact("Forced by the counts", Motions(scene.forced, scene));
   fact("Motion", PathText(scene.given.scene.path));
-  fact("All it shows in translation", Pairs(scene.by_direction, Motion::kTranslation));
-  fact("In rotation", Pairs(scene.by_direction, Motion::kRotation));
+  fact("All directions of translation", Pairs(scene.by_direction, Motion::kTranslation));
+  fact("Of rotation", Pairs(scene.by_direction, Motion::kRotation));
   html += "</dl>\n<div class=\"figures\">\n";
-  html += FigureHtml({"Start (s = 0): " + Dofs(scene.dof_before) + ".", Draw(scene, 0, scene.before)},
-                     id + "-start");
   html +=
-      FigureHtml({"End (s = 1): " + Dofs(scene.dof_after) + ".", Draw(scene, 1, scene.after)}, id + "-end");
+      FigureHtml({"Start (s = 0), " + Dofs(scene.dof_before), Draw(scene, 0, scene.before)}, id + "-start");
+  html += FigureHtml({"End (s = 1), " + Dofs(scene.dof_after), Draw(scene, 1, scene.after)}, id + "-end");
   return html + "</div>\n</article>\n";
 }
 

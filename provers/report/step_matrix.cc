@@ -10,7 +10,7 @@ namespace {
 constexpr const char* kFont = "font-family=\"system-ui, 'Noto Sans', 'DejaVu Sans', Helvetica, sans-serif\"";
 constexpr const char* kSoft = "#5d5a54";
 constexpr double kRow = 26, kLabel = 48, kHead = 24;  // pixels
-constexpr double kDot = 4.6, kGroupLabel = 40;
+constexpr double kDot = 4.5, kGroupLeft = 72, kGroupTop = 38;
 
 std::string Open(double width, double height, const std::string& title) {
   return fmt::format(
@@ -42,6 +42,24 @@ std::string DrawCell(const MatrixCell& cell, double x, double y, double width) {
   return cell.link.empty() ? svg : fmt::format("<a href=\"{}\">{}</a>", Escape(cell.link), svg);
 }
 
+// Labels of one size along a line: the next takes the nearest lane where it does not touch the one before.
+class Lanes {
+ public:
+  explicit Lanes(double label) : label_(label) {}
+
+  double Place(double middle) {
+    size_t lane = 0;
+    while (lane < last_.size() && middle - last_[lane] < label_) ++lane;
+    if (lane == last_.size()) last_.push_back(middle);
+    last_[lane] = middle;
+    return static_cast<double>(lane);
+  }
+
+ private:
+  double label_;
+  std::vector<double> last_;
+};
+
 }  // namespace
 
 std::string DrawMatrix(const std::vector<std::string>& labels,
@@ -70,24 +88,26 @@ std::string DrawDotMatrix(const std::vector<MatrixGroup>& groups, const std::vec
                           const std::string& title) {
   size_t classes = 0;
   for (const MatrixGroup& group : groups) classes += group.classes;
-  const double side = kDot * static_cast<double>(classes), end = kGroupLabel + side;
-  std::string svg = Open(end + 4, end + 4, title);
-  double at = kGroupLabel;
-  bool high = false;
+  const double side = kDot * static_cast<double>(classes), right = kGroupLeft + side,
+               bottom = kGroupTop + side;
+  std::string svg = Open(right + 4, bottom + 4, title);
+  double at = 0;
+  Lanes above(30), beside(12);
   for (const MatrixGroup& group : groups) {
     const double next = at + kDot * static_cast<double>(group.classes), middle = (at + next) / 2;
-    svg += Line(kGroupLabel, at, end, at) + Line(at, kGroupLabel, at, end);
-    // Narrow groups' labels take turns in two lines.
-    high = next - at < 30 && !high;
-    svg += Text(middle, kGroupLabel - (high ? 20 : 7), group.label, "middle", kSoft, 10);
-    svg += Text(kGroupLabel - 6, middle + 3.5, group.label, "end", kSoft, 10);
+    svg += Line(kGroupLeft, kGroupTop + at, right, kGroupTop + at) +
+           Line(kGroupLeft + at, kGroupTop, kGroupLeft + at, bottom);
+    svg +=
+        Text(kGroupLeft + middle, kGroupTop - 7 - 13 * above.Place(middle), group.label, "middle", kSoft, 10);
+    svg += Text(kGroupLeft - 6 - 32 * beside.Place(middle), kGroupTop + middle + 3.5, group.label, "end",
+                kSoft, 10);
     at = next;
   }
-  svg += Line(kGroupLabel, end, end, end) + Line(end, kGroupLabel, end, end);
+  svg += Line(kGroupLeft, bottom, right, bottom) + Line(right, kGroupTop, right, bottom);
   for (const MatrixDot& dot : dots) {
     svg += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"1.9\" fill=\"{}\"><title>{}</title></circle>\n",
-                       ShortDecimal(kGroupLabel + kDot * (static_cast<double>(dot.column) + 0.5)),
-                       ShortDecimal(kGroupLabel + kDot * (static_cast<double>(dot.row) + 0.5)), dot.fill,
+                       ShortDecimal(kGroupLeft + kDot * (static_cast<double>(dot.column) + 0.5)),
+                       ShortDecimal(kGroupTop + kDot * (static_cast<double>(dot.row) + 0.5)), dot.fill,
                        Escape(dot.title));
   }
   return svg + "</svg>";
