@@ -48,11 +48,12 @@ const Witnesses& Boxes() {
   return witnesses;
 }
 
-// Level contacts on one upright line: two forces that meet, and one couple across.
+// Level contacts whose lines of action meet one upright line: forces that meet, and couples across.
 Witnesses LevelSolids() {
-  enumerators::ContactWorld world = enumerators::CubeWorld(6);
+  enumerators::ContactWorld world = enumerators::DiagonalWorld(4);
   std::erase_if(world.contacts, [](const algebra::Contact& contact) {
-    return contact.point.x.sign() != 0 || contact.point.y.sign() != 0 || contact.planes[0].z.sign() != 0;
+    const algebra::Vector3& normal = contact.planes[0];
+    return normal.z.sign() != 0 || Cross(contact.point, normal).z.sign() != 0;
   });
   return Search(std::move(world));
 }
