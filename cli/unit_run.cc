@@ -22,7 +22,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr const char* kWork = "work";
 constexpr double kMostUnasked = 2e9;   // things
-constexpr double kWorthTelling = 1e8;  // things
+constexpr double kWorthTelling = 2e7;  // things
 constexpr long long kMostThreads = 1024;
 
 size_t Cores() { return std::max(1U, std::thread::hardware_concurrency()); }
