@@ -164,6 +164,7 @@ TEST_F(Enumerate, ArgumentsThatMakeNoSenseAreRefused) {
       {{"-o", fs::path(Folder("x")).parent_path()}, "holds something else"},
       {{"-o", Folder("beside")}, "got a file"},
       {{"-o", Folder("beside/below")}, "beside/below"},
+      {{"-o", ""}, "expected a folder, got no name"},
       {{"-o", "/proc/none"}, "/proc/none"},
   };
   for (const auto& [arguments, said] : refused) {
