@@ -43,6 +43,13 @@ std::string ToTable(const DofClassAnswer& answer) {
   const bool complete = std::ranges::all_of(answer.lists, &DofClassList::complete);
   table += complete ? "Complete: every class that the lemmas allow has a witness.\n"
                     : "Not complete: some classes that the lemmas allow have no witness in this world.\n";
+  if (enumerators::IsBoxWorld(answer.census.world())) {
+    table += fmt::format(
+        "Of solids whose faces are all parallel to coordinate planes there are {} of the finest classes; {} "
+        "have "
+        "a witness here.\n",
+        enumerators::BoxClasses().size(), answer.lists.back().found.size());
+  }
   return table + fmt::format("Witnesses from {} relations without repetition: {}.\n",
                              answer.census.relations(), answer.census.world().sentence);
 }

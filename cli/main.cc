@@ -149,11 +149,14 @@ void AddVerifyCommand(CLI::App& app, Request& request) {
 
 // What every run in units takes.
 void AddRunOptions(CLI::App& parser, EnumerateOptions& options) {
-  parser.add_option("-o,--output", options.directory, "folder of the run and its results");
+  const CLI::Validator named(
+      [](const std::string& folder) { return folder.empty() ? "expected a folder, got no name" : ""; }, "");
+  parser.add_option("-o,--output", options.directory, "folder of the run and its results")->check(named);
   parser.add_option("--threads", options.threads, "threads; as many as there are cores if not given");
   parser.add_option("--shard", options.shard, "compute only part i of n, written i/n")->capture_default_str();
   parser.add_option("--from", options.from, "folder of the same run whose finished units are taken over")
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->check(named);
   parser.add_flag("--yes", options.yes, "start however long it takes");
 }
 

@@ -22,7 +22,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr const char* kWork = "work";
 constexpr double kMostUnasked = 2e9;   // things
-constexpr double kWorthTelling = 1e8;  // things
+constexpr double kWorthTelling = 2e7;  // things
 constexpr long long kMostThreads = 1024;
 
 size_t Cores() { return std::max(1U, std::thread::hardware_concurrency()); }
@@ -54,27 +54,23 @@ size_t ReadThreads(long long threads) {
 
 // The results go beside the run: only into a folder that holds nothing else.
 void CheckPlace(const fs::path& directory) {
-  std::error_code absent;
+  std::error_code absent, error;
   if (!fs::exists(directory, absent) || fs::exists(directory / kWork, absent)) return;
-  if (!fs::is_directory(directory)) {
-    throw InputError(directory.string() + ": expected a folder for the run, got a file");
-  }
-  if (!fs::is_empty(directory)) {
-    throw InputError(
-        directory.string() +
-        ": expected a folder that is empty or holds a run, got one that holds something else; name "
-        "another folder");
-  }
+  const std::string wanted =
+      directory.string() + ": expected a folder that is empty or holds a run (name another one), got ";
+  if (!fs::is_directory(directory, absent)) throw InputError(wanted + "a file");
+  if (!fs::is_empty(directory, error) && !error) throw InputError(wanted + "one that holds something else");
+  if (error) throw InputError(wanted + "one that cannot be read: " + error.message());
 }
 
 // On a terminal one moving line; elsewhere a line now and then, once it takes long.
 class Progress {
  public:
   void operator()(size_t done, size_t total) {
+    if (++calls_ == 1) already_ = done - 1;
     const bool terminal = isatty(STDERR_FILENO) == 1;
     if (!terminal && (done == total || Seconds(shown_) < 5)) return;
     if (terminal && done < total && Seconds(shown_) < 0.1) return;
-    if (++calls_ == 1) already_ = done - 1;
     shown_ = Clock::now();
     const double rest =
         Seconds(started_) * static_cast<double>(total - done) / static_cast<double>(done - already_);

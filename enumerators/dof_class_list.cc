@@ -27,4 +27,13 @@ std::vector<DofClassList> ListDofClasses(const DofCounts& counts) {
   return lists;
 }
 
+bool IsBoxWorld(const ContactWorld& world) {
+  for (const algebra::Contact& contact : world.contacts) {
+    for (const algebra::Vector3& n : contact.planes) {
+      if ((n.x.sign() != 0) + (n.y.sign() != 0) + (n.z.sign() != 0) != 1) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace tact::enumerators

@@ -28,4 +28,7 @@ struct DofClassList {
 /// A list for each of DofDefinitions(), in their order. InvariantError: a class that a lemma excludes.
 std::vector<DofClassList> ListDofClasses(const DofCounts& counts);
 
+/// Whether every face that touches is parallel to a coordinate plane, so that BoxClasses() are all there can be.
+bool IsBoxWorld(const ContactWorld& world);
+
 }  // namespace tact::enumerators

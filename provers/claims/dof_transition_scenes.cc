@@ -116,4 +116,8 @@ std::vector<DofTransitionScene> DofTransitionScenes() {
   };
 }
 
+algebra::Scene RollIntoTheCorner() {
+  return EndingAt({Bar()}, {Floor(), Ceiling(), Box({-3, -3, 0}, {3, -1, 4})}, Roll());
+}
+
 }  // namespace tact::provers

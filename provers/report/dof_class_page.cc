@@ -37,13 +37,18 @@ std::string Head(const DofCensus& census, const std::vector<DofClassList>& lists
         {list.definition->name, std::to_string(list.found.size()), std::to_string(list.upper_bound)});
   }
   const DofClassList& finest = lists.back();
+  const std::string boxes =
+      enumerators::IsBoxWorld(census.world())
+          ? fmt::format("; solids whose faces are all parallel to coordinate planes have {} at most",
+                        enumerators::BoxClasses().size())
+          : "";
   return fmt::format(
              "<header class=\"top\">\n<h1>What contacts allow</h1>\n<p class=\"lead\">{} of motion degrees "
              "of freedom, "
              "each with a smallest witness.</p>\n"
              "<p>Two solids that touch may still move. A motion is maintaining if it keeps every contact and "
              "so does its "
-             "opposite, detaching if a contact opens one way, constraining if it is blocked both ways; how "
+             "opposite, detaching if it opens one, constraining if it is blocked both ways; how "
              "many "
              "independent motions there are of each kind, in translation, in rotation (with the two types of "
              "detaching) "
@@ -54,8 +59,8 @@ std::string Head(const DofCensus& census, const std::vector<DofClassList>& lists
                  ? "the complete list: what is not in it is excluded by a lemma, what is in it has a witness."
                  : fmt::format(
                        "what was found: {} of the {} classes that the lemmas allow. The world that was "
-                       "searched has no more.",
-                       finest.found.size(), finest.upper_bound),
+                       "searched has no more{}.",
+                       finest.found.size(), finest.upper_bound, boxes),
              Grouped(census.relations()), Escape(census.world().sentence)) +
          TableHtml(counts);
 }
@@ -87,9 +92,8 @@ std::string Translations(const DofCensus& census, const DofClassList& translatio
       "go, on the "
       "sphere of all directions: legal ones green, maintaining ones red.</p>\n<div class=\"figures\">\n";
   for (auto found = translations.found.rbegin(); found != translations.found.rend(); ++found) {
-    const std::string caption =
-        fmt::format("{}: {} relations, {} in the finest list", Kinds(found->values.data()),
-                    Grouped(found->count), finer.at(found->values));
+    const std::string caption = fmt::format("{}: {}, {} in the finest list", Kinds(found->values.data()),
+                                            Plural(found->count, "relation"), finer.at(found->values));
     html += FigureHtml({caption, DrawLegalDirections(census.Relation(found->witness))},
                        fmt::format("translation-{}", fmt::join(found->values, "-")));
   }
@@ -119,8 +123,9 @@ std::string Article(const DofCensus& census, const FoundClass& found) {
   fact("Rotation", Kinds(v[3], fmt::format("{} + {} detaching (Types I + II)", v[4], v[5]), v[6]));
   fact("All motion", Kinds(&v[7]));
   fact("Relations", Grouped(found.count));
-  fact("Smallest witness: point \u2192 normal", Witness(relation));
-  html += "</dl>\n<details><summary>Two solids that touch so</summary>\n";
+  html += fmt::format("</dl>\n<p class=\"small\">Smallest witness, points \u2192 normals: {}</p>\n",
+                      Escape(Witness(relation)));
+  html += "<details><summary>Two solids that touch so</summary>\n";
   const Figure figure{
       "A block in a cage; the contacts have slid along their lines of action, which changes no motion.",
       DrawRelationSolids(algebra::RealizeRelation(relation))};

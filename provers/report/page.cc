@@ -151,9 +151,9 @@ std::string Claims(const std::vector<Chapter>& chapters) {
 
 std::string ReportPage(const std::vector<LedgerEntry>& entries) {
   const std::vector<Chapter> chapters = InThesisOrder(entries);
-  return PageHtml("tact: a thesis on trial",
-                  Head(entries.size(), Count(entries)) + Contents(chapters) + Claims(chapters) +
-                      fmt::format("<script>\n{}</script>\n", kPageScript));
+  return PageHtml("tact: a thesis on trial", Head(entries.size(), Count(entries)) + Contents(chapters) +
+                                                 Claims(chapters) +
+                                                 fmt::format("<script>\n{}</script>\n", kPageScript));
 }
 
 }  // namespace tact::provers
