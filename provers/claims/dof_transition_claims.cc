@@ -10,6 +10,7 @@
 #include "provers/claims/census.h"
 #include "provers/claims/claims.h"
 #include "provers/claims/dof_transition_scenes.h"
+#include "provers/path_certificate.h"
 #include "provers/report/solid_drawing.h"
 
 namespace tact::provers {
@@ -117,8 +118,12 @@ Outcome TryAllThirty(Effort) {
     outcome.figures.push_back(
         {Pair(scene.before, scene.after) + ": before", DrawContactRelation(Draw(scene.scene, 0), a, view)});
     outcome.figures.push_back({scene.story, DrawContactRelation(Draw(scene.scene, 1), b, view)});
-    outcome.certificates.push_back(TransitionsCertificate(
-        id + "." + Name(scene.before) + "-" + Name(scene.after), id, {{"before", a}, {"after", b}}, {}));
+    for (const PathDirection way : {PathDirection::kForth, PathDirection::kBack}) {
+      const bool forth = way == PathDirection::kForth;
+      const std::string name =
+          Name(forth ? scene.before : scene.after) + "-" + Name(forth ? scene.after : scene.before);
+      outcome.certificates.push_back(PathCertificate(id + "." + name, id, scene.scene, way));
+    }
   }
   outcome.verdict = seen.size() == 60 ? Verdict::kProved : Verdict::kRefuted;
   outcome.bound = "complete";
@@ -232,7 +237,7 @@ struct Rule {
   std::string id, statement, source;
   bool (*names)(const DofTransition& t);
   std::string about;
-  std::string more = {};  // what else is to be said if it holds
+  std::string more = {};  // what else is to be said
 };
 
 struct Example {
@@ -249,16 +254,14 @@ struct Trial {
     if (!smallest || contacts < smallest->contacts) smallest = Example{a, b, contacts};
   }
 
-  void Add(const Rule& rule, const ContactRelation& a, const MotionDof& before, const ContactRelation& b,
-           const MotionDof& after) {
-    const auto all_pairs = AnalyzeTransition(before, after).dof_transitions;
-    const auto directions = DofTransitionsByDirection(a, b);
+  void Add(const Rule& rule, const ContactRelation& a, const ContactRelation& b,
+           const std::vector<DofTransition>& by_counts, const std::vector<DofTransition>& directions) {
     for (const Motion motion : {Motion::kTranslation, Motion::kRotation}) {
       const auto any = [&](const std::vector<DofTransition>& list) {
         return std::any_of(list.begin(), list.end(),
                            [&](const DofTransition& t) { return t.motion == motion && rule.names(t); });
       };
-      const bool literal = any(all_pairs), real = any(directions);
+      const bool literal = any(by_counts), real = any(directions);
       ++pairs;
       named += literal ? 1 : 0;
       by_direction += real ? 1 : 0;
@@ -278,6 +281,11 @@ struct Trial {
 std::vector<Trial> TryRules(const std::vector<Rule>& rules, Effort effort) {
   std::vector<Trial> trials(rules.size());
   algebra::MotionDofEngine engine;
+  const auto step = [&](const ContactRelation& a, const MotionDof& before, const ContactRelation& b,
+                        const MotionDof& after) {
+    const auto counts = DofTransitionsByCounts(before, after), directions = DofTransitionsByDirection(a, b);
+    for (size_t r = 0; r < rules.size(); ++r) trials[r].Add(rules[r], a, b, counts, directions);
+  };
   const auto world = [&](const enumerators::ContactWorld& relations) {
     enumerators::ForEachRelation(relations, [&](const ContactRelation& after) {
       for (size_t i = 1; i < after.contacts.size(); ++i) {
@@ -286,15 +294,21 @@ std::vector<Trial> TryRules(const std::vector<Rule>& rules, Effort effort) {
       const MotionDof b = engine.Compute(after);
       enumerators::ForEachRelationBefore(after, [&](const ContactRelation& before) {
         const MotionDof a = engine.Compute(before);
-        for (size_t r = 0; r < rules.size(); ++r) {
-          trials[r].Add(rules[r], before, a, after, b);
-          trials[r].Add(rules[r], after, b, before, a);
-        }
+        step(before, a, after, b);
+        step(after, b, before, a);
       });
     });
   };
-  world(enumerators::SingularWorld(effort == Effort::kFull ? 3 : 2));
-  world(enumerators::CubeWorld(effort == Effort::kFull ? 4 : 3));
+  if (effort == Effort::kFull) {
+    world(enumerators::SingularWorld(3));
+    world(enumerators::CubeWorld(4));
+    return trials;
+  }
+  enumerators::ContactWorld at_origin = enumerators::SingularWorld(3);
+  std::erase_if(at_origin.contacts, [](const algebra::Contact& contact) { return !contact.point.IsZero(); });
+  world(at_origin);
+  world(enumerators::SingularWorld(2));
+  world(enumerators::CubeWorld(3));
   return trials;
 }
 
@@ -339,7 +353,8 @@ const std::vector<Rule>& Rules() {
          return (t.from == kSingularMaintaining || t.from == kSingularDetaching) && t.to == kConstraining;
        },
        "singular maintaining or detaching -> constraining",
-       "\n\nAnd the rule is about the right thing: along a straight line, constraint comes up only where a "
+       "\n\nRead by direction the rule is about the right thing: along a straight line, constraint comes up "
+       "only where a "
        "singular relation is "
        "left (Theorem 3 of docs/dof-transitions.md), by singular maintaining, detaching or constraining -> "
        "constraining. The third "
@@ -365,8 +380,7 @@ void AddRoll(Outcome& outcome, const std::string& id) {
   outcome.figures = {{"A bar rolls on its bottom edge", DrawContactRelation(Draw(scene, 0), a, view)},
                      {"until its top edge meets the ceiling and its side the wall",
                       DrawContactRelation(Draw(scene, 1), b, view)}};
-  outcome.certificates.push_back(
-      TransitionsCertificate(id + ".roll", id, {{"rolling", a}, {"stuck", b}}, {}));
+  outcome.certificates.push_back(PathCertificate(id + ".roll", id, scene));
   const algebra::Transition literal = AnalyzeTransition(ComputeMotionDof(a), ComputeMotionDof(b));
   outcome.evidence +=
       "\n\nWith real solids: a bar rolls on its bottom edge until its top edge meets the ceiling and its "
@@ -383,12 +397,12 @@ Outcome TryRule(size_t r, Effort effort) {
   const Trial& trial = TrialsOfRules(effort)[r];
   Outcome outcome;
   outcome.verdict = trial.without_reason + trial.missed == 0 ? Verdict::kHoldsTo : Verdict::kRefuted;
-  outcome.bound = effort == Effort::kFull ? "all relations of up to 3 contacts with singular ones and of up "
-                                            "to 4 at a cube's corners, and the "
-                                            "relations before them, both ways"
-                                          : "all relations of up to 2 contacts with singular ones and of up "
-                                            "to 3 at a cube's corners, and the "
-                                            "relations before them, both ways";
+  outcome.bound = std::string(effort == Effort::kFull ? "all relations of up to 3 contacts with singular "
+                                                        "ones at four points, of up to 4 ordinary ones "
+                                                      : "all relations of up to 3 contacts with singular "
+                                                        "ones at one point, of up to 2 at four points, of "
+                                                        "up to 3 ordinary ones ") +
+                  "at a cube's corners, and the relations before them, both ways";
   outcome.numbers = {{"steps, motions apart", trial.pairs},
                      {"the counts allow " + rule.about, trial.named},
                      {"some direction goes so", trial.by_direction},
@@ -410,12 +424,13 @@ Outcome TryRule(size_t r, Effort effort) {
       "Smallest step where the counts name it and no direction does");
   add(trial.smallest_missed, "missed", "Smallest step where a direction goes so and the counts hide it");
   if (r == 0) AddRoll(outcome, rule.id);
+  outcome.evidence += rule.more;
   if (outcome.verdict == Verdict::kRefuted) {
     outcome.evidence +=
         "\n\nCorrected: pair by direction. Where only one index falls or only one rises, nothing changes; "
         "elsewhere the directions say which became which.";
   } else {
-    outcome.evidence += "\n\nThe counts and the directions agree in every step tried." + rule.more;
+    outcome.evidence += "\n\nThe counts and the directions agree in every step tried.";
   }
   return outcome;
 }
