@@ -84,8 +84,8 @@ bool ComesBefore(const StepWitness& a, const StepWitness& b) {
 DofStepCensus::DofStepCensus(ContactWorld world)
     : world_(WithSteps(std::move(world))),
       rows_(WorldRows(world_)),
-      additions_(Additions(world_)),
-      sets_(world_.contacts.size(), world_.largest - 1) {}
+      sets_(world_.contacts.size(), world_.largest - 1),
+      additions_(Additions(world_)) {}
 
 double DofStepCensus::steps_at_most() const {
   return static_cast<double>(relations()) * static_cast<double>(additions_.size());

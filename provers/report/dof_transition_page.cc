@@ -71,10 +71,12 @@ std::string CountColour(uint64_t count) {
   return kShades[std::min(digits, kShades.size() - 1)];
 }
 
+// The definition by which there are thirteen steps, if it is the only one.
 const StepDefinition* Thirteen(const DofTransitionFindings& findings) {
-  const auto at = std::ranges::find_if(findings.translation,
-                                       [](const StepDefinition& d) { return d.steps.size() == 13; });
-  return at == findings.translation.end() ? nullptr : &*at;
+  const auto is_it = [](const StepDefinition& d) { return d.steps.size() == 13; };
+  return std::ranges::count_if(findings.translation, is_it) == 1
+             ? &*std::ranges::find_if(findings.translation, is_it)
+             : nullptr;
 }
 
 std::string TranslationMatrix(const DofTransitionFindings& findings) {
@@ -109,13 +111,16 @@ std::string Translation(const DofTransitionFindings& findings) {
     counts.rows.push_back(
         {std::to_string(d.steps.size()), d.name + (&d == Thirteen(findings) ? " \u2013 the thirteen" : "")});
   }
+  const StepDefinition* thirteen = Thirteen(findings);
   return "<h2>Between the ten kinds in translation</h2>\n"
          "<p>In translation there are ten kinds of relations, told apart by how many maintaining, detaching "
-         "and constraining DOFs they have. How many steps lead from one to another depends on what a step "
-         "is. Thirteen, the number that the literature names, comes out for one definition: what a "
-         "translation that keeps the contacts so far can bring about by one more contact, or by the two "
-         "walls of a slot at once.</p>\n" +
-         TableHtml(counts) +
+         "and "
+         "constraining DOFs they have. How many steps lead from one to another depends on what a step is." +
+         (thirteen == nullptr
+              ? ""
+              : " Thirteen, the number that the literature names, comes out for one definition: " +
+                    Escape(thirteen->name) + ".") +
+         "</p>\n" + TableHtml(counts) +
          FigureHtml(
              {"One contact is added: from the kind of the row to the kind of the column (maintaining, "
               "detaching, constraining), with the number of such steps in the world that was searched; "

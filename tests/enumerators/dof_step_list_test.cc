@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <map>
+
 #include "algebra/contact/motion_dof.h"
 #include "enumerators/translation_steps.h"
 

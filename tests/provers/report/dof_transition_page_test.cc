@@ -19,7 +19,7 @@ struct Made {
     DofTransitionFindings findings{census,
                                    enumerators::ListDofSteps(steps),
                                    enumerators::CountDirectBlocks(steps),
-                                   enumerators::TranslationSteps(3),
+                                   enumerators::TranslationSteps(4),
                                    ShowScenes(),
                                    {}};
     findings.shown = ShownTransitions(findings.scenes);
@@ -45,7 +45,7 @@ TEST(DofTransitionPage, IsWellFormedAndHasEverySceneAndEveryPair) {
 }
 
 TEST(DofTransitionPage, NeedsNothingFromElsewhere) {
-  const Made made(1);
+  const Made made(2);
   EXPECT_EQ(Occurrences(made.page, "src="), 0U);
   EXPECT_EQ(Occurrences(made.page, "url("), 0U);
   EXPECT_EQ(Occurrences(made.page, "href="), Occurrences(made.page, "href=\"#"));
