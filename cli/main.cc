@@ -81,8 +81,8 @@ constexpr const char* kDofTransitionsHelp =
     "  "
     "\"definitions\":[{\"name\",\"indices\",\"pairs\",\"within\",\"list\":[{\"from\",\"to\",\"count\","
     "\"witness\"}]}]}],\n"
-    "  "
-    "\"dof_transitions\":[{\"motion\",\"from\",\"to\",\"practical\",\"occurs\",\"forced_by_counts\","
+    "  \"maintaining_to_constraining\":[{\"added\",\"motion\",\"steps\",\"witness\"}],\n"
+    "  \"dof_transitions\":[{\"motion\",\"from\",\"to\",\"practical\",\"occurs\",\"forced_by_counts\","
     "\"witness\"}],...}\n"
     "Example: tact enumerate dof-transitions --world cube --contacts 5 -o transitions";
 

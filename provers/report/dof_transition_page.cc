@@ -289,7 +289,13 @@ std::string Thirty(const DofTransitionFindings& findings) {
       "<p>With the singular twins of the three kinds (of relations where some contact leaves a choice of "
       "planes) there are thirty ways for a DOF to change. Each is shown by two solids and an exact motion, a "
       "line or a turn about a fixed axis, along which the same elements touch until the last moment. The "
-      "motions run forwards (\u2192) or backwards (\u2190).</p>\n<div class=\"figures\">\n";
+      "motions run forwards (\u2192) or backwards (\u2190). M, D, C stand for maintaining, detaching and "
+      "constraining, S for singular; three numbers are such DOFs in this order.</p>\n"
+      "<p>In the drawings the moving solid is solid, and dotted where it stands at the other end of its "
+      "motion. "
+      "Blue dots are contacts with one separate plane, magenta diamonds singular ones, hollow marks lie "
+      "behind; "
+      "arrows point to the legal side.</p>\n<div class=\"figures\">\n";
   for (const Motion motion : {Motion::kTranslation, Motion::kRotation}) {
     html += FigureHtml({"In " + ToString(motion) +
                             ", from the row's index to the column's. Green: practical by Fig. 2.5 of the "
