@@ -285,13 +285,17 @@ inline bool IsAxisParallel(const json& relation) {
 }
 
 inline bool DofClassesAreRight(const json& c) {
-  const bool boxes = c["faces"] == "axis-parallel";
-  const auto classes = boxes ? enumerators::BoxClasses() : enumerators::DofClasses();
+  const bool boxes = c["faces"] == "axis-parallel", singular = c.value("singular", false);
+  if (singular && (boxes || c.value("fewest", false))) return false;
+  const auto classes = boxes      ? enumerators::BoxClasses()
+                       : singular ? enumerators::SingularClasses()
+                                  : enumerators::DofClasses();
   std::set<MotionDof> seen;
   size_t touching = 0;
   for (const json& relation : c["classes"]) {
     const auto dof = RightRelation(relation);
-    if (!dof || dof->singular || !seen.insert(*dof).second || (boxes && !IsAxisParallel(relation)))
+    if (!dof || dof->singular != singular || !seen.insert(*dof).second ||
+        (boxes && !IsAxisParallel(relation)))
       return false;
     const size_t contacts = relation["contacts"].size();
     if (c.value("fewest", false) && contacts != enumerators::FewestContacts(*dof)) return false;
