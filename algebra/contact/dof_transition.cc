@@ -18,7 +18,8 @@ class Analysis {
   Analysis(const MotionDof& before, const MotionDof& after) : before_(before), after_(after) {}
 
   Transition Run() {
-    for (const Motion motion : kMotions) ListDofTransitions(motion);
+    result_.dof_transitions = DofTransitionsByCounts(before_, after_);
+    for (const Motion motion : kMotions) CountChanges(motion);
     for (const Motion motion : kMotions) SelectSubSkills(motion);
     for (const DofTransition& t : result_.dof_transitions) Judge(t);
     if (result_.sub_skills.empty()) Say("No rule selects a sub-skill: the motion is part of the next one.");
@@ -36,17 +37,13 @@ class Analysis {
     result_.why += sentence;
   }
 
-  void ListDofTransitions(Motion motion) {
+  void CountChanges(Motion motion) {
     const auto before = Indices(before_, motion);
     const auto after = Indices(after_, motion);
     int falls = 0, rises = 0;
-    for (int a = 0; a < kDofIndices; ++a) {
-      falls += after[a] < before[a] ? 1 : 0;
-      rises += after[a] > before[a] ? 1 : 0;
-      for (int b = 0; b < kDofIndices; ++b) {
-        if (after[a] >= before[a] || after[b] <= before[b]) continue;
-        result_.dof_transitions.push_back({motion, static_cast<DofIndex>(a), static_cast<DofIndex>(b)});
-      }
+    for (int i = 0; i < kDofIndices; ++i) {
+      falls += after[i] < before[i] ? 1 : 0;
+      rises += after[i] > before[i] ? 1 : 0;
     }
     result_.ambiguous = result_.ambiguous || (falls > 1 && rises > 1);
   }
@@ -155,6 +152,20 @@ std::array<int, kDofIndices> Indices(const MotionDof& dof, Motion motion) {
 
 int Restricted(const MotionDof& dof, Motion motion) {
   return motion == Motion::kTranslation ? dof.translation.restricted : dof.rotation.restricted;
+}
+
+std::vector<DofTransition> DofTransitionsByCounts(const MotionDof& before, const MotionDof& after) {
+  std::vector<DofTransition> transitions;
+  for (const Motion motion : kMotions) {
+    const auto a = Indices(before, motion), b = Indices(after, motion);
+    for (int from = 0; from < kDofIndices; ++from) {
+      for (int to = 0; to < kDofIndices; ++to) {
+        if (b[from] < a[from] && b[to] > a[to])
+          transitions.push_back({motion, static_cast<DofIndex>(from), static_cast<DofIndex>(to)});
+      }
+    }
+  }
+  return transitions;
 }
 
 Transition AnalyzeTransition(const MotionDof& before, const MotionDof& after) {

@@ -2,7 +2,8 @@
 /// From two neighbouring contact relations' motion DOFs to DOF-transitions, sub-skills and criticality.
 /// Model   [thesis, 2.3-2.6]. Six indices for translation and six for rotation; a DOF-transition pairs an
 ///         index that decreases with one that increases. Where several indices decrease and several increase,
-///         the text does not say how they pair: every pair is listed (`ambiguous` says so).
+///         the text does not say how they pair: every pair is listed (`ambiguous` says so; dof_pairing.h pairs
+///         them by direction).
 #pragma once
 
 #include <array>
@@ -64,6 +65,9 @@ struct Transition {
 /// singular.
 std::array<int, kDofIndices> Indices(const MotionDof& dof, Motion motion);
 int Restricted(const MotionDof& dof, Motion motion);
+
+/// Every index that falls with every one that rises, by motion, from, to: literally [thesis, 2.3.1].
+std::vector<DofTransition> DofTransitionsByCounts(const MotionDof& before, const MotionDof& after);
 
 /// The rules of [thesis, 2.6], literally.
 Transition AnalyzeTransition(const MotionDof& before, const MotionDof& after);
