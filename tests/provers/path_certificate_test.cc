@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <random>
 
 #include "algebra/error.h"
@@ -115,6 +116,30 @@ TEST(PathCertificate, ContactsAtASeamOfPiecesAreRefused) {
                     {Corners({-3, -3, -1}, {0, 3, 0}), Corners({0, -3, -1}, {3, 3, 0})},
                     MotionPath::Line({0, 1, 0})};
   EXPECT_NE(Refusal(scene).find("seam"), std::string::npos) << Refusal(scene);
+}
+
+TEST(PathCheck, EachNumberOfTheHandMadeCertificatesChangedInManyWays) {
+  size_t wrong = 0, right = 0;
+  for (const char* name : {"tip_leaves", "face_lies_down"}) {
+    std::ifstream in(std::string(TACT_SOURCE_DIR) + "/tests/check/certificates/" + name + ".json");
+    const json original = json::parse(in);
+    const json flat = original.flatten();
+    for (const auto& [path, value] : flat.items()) {
+      if (!value.is_number_integer()) continue;
+      const long long n = value;
+      for (const long long changed : {n + 1, n - 1, -n, 0LL, 2 * n, n + 5}) {
+        if (changed == n) continue;
+        json mutant = original;
+        mutant.at(json::json_pointer(path)) = changed;
+        const bool is_right = oracle::IsRight(mutant);
+        EXPECT_EQ(Why(mutant) == "", is_right)
+            << path << ": " << n << " -> " << changed << ": " << Why(mutant);
+        ++(is_right ? right : wrong);
+      }
+    }
+  }
+  EXPECT_GT(wrong, 300u);
+  EXPECT_GT(right, 50u);
 }
 
 TEST(PathCheck, ADepartedContactIsNotClaimedAnew) {
