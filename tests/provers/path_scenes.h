@@ -2,6 +2,7 @@
 /// Scenes with planes and touches of every kind; how many contacts each end has was counted by hand.
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct NamedScene {
   Scene scene;
   size_t contacts_before, contacts_after;
 };
+inline void PrintTo(const NamedScene& scene, std::ostream* out) { *out << scene.name; }
 
 inline std::vector<Vector3> Corners(const Vector3& low, const Vector3& high) {
   return algebra::Box(low, high).points;
