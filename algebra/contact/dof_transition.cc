@@ -1,6 +1,7 @@
 #include "algebra/contact/dof_transition.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace tact::algebra {
 namespace {
@@ -15,19 +16,15 @@ bool IsConstraining(DofIndex index) {
 
 class Analysis {
  public:
-  Analysis(const MotionDof& before, const MotionDof& after) : before_(before), after_(after) {}
+  Analysis(const MotionDof& before, const MotionDof& after, std::vector<DofTransition> dof_transitions)
+      : before_(before), after_(after) {
+    result_.dof_transitions = std::move(dof_transitions);
+  }
 
   Transition Run() {
-    result_.dof_transitions = DofTransitionsByCounts(before_, after_);
-    for (const Motion motion : kMotions) CountChanges(motion);
     for (const Motion motion : kMotions) SelectSubSkills(motion);
     for (const DofTransition& t : result_.dof_transitions) Judge(t);
     if (result_.sub_skills.empty()) Say("No rule selects a sub-skill: the motion is part of the next one.");
-    if (result_.ambiguous) {
-      Say("Several indices decrease and several increase: every pair of them is listed, since nothing says "
-          "which "
-          "belongs to which.");
-    }
     return result_;
   }
 
@@ -35,17 +32,6 @@ class Analysis {
   void Say(const std::string& sentence) {
     if (!result_.why.empty()) result_.why += " ";
     result_.why += sentence;
-  }
-
-  void CountChanges(Motion motion) {
-    const auto before = Indices(before_, motion);
-    const auto after = Indices(after_, motion);
-    int falls = 0, rises = 0;
-    for (int i = 0; i < kDofIndices; ++i) {
-      falls += after[i] < before[i] ? 1 : 0;
-      rises += after[i] > before[i] ? 1 : 0;
-    }
-    result_.ambiguous = result_.ambiguous || (falls > 1 && rises > 1);
   }
 
   bool Appears(Motion motion, DofIndex from, DofIndex to) const {
@@ -168,8 +154,34 @@ std::vector<DofTransition> DofTransitionsByCounts(const MotionDof& before, const
   return transitions;
 }
 
+bool IsAmbiguous(const MotionDof& before, const MotionDof& after) {
+  for (const Motion motion : kMotions) {
+    const auto a = Indices(before, motion), b = Indices(after, motion);
+    int falls = 0, rises = 0;
+    for (int i = 0; i < kDofIndices; ++i) {
+      falls += b[i] < a[i] ? 1 : 0;
+      rises += b[i] > a[i] ? 1 : 0;
+    }
+    if (falls > 1 && rises > 1) return true;
+  }
+  return false;
+}
+
+Transition ApplyRules(const MotionDof& before, const MotionDof& after,
+                      std::vector<DofTransition> dof_transitions) {
+  return Analysis(before, after, std::move(dof_transitions)).Run();
+}
+
 Transition AnalyzeTransition(const MotionDof& before, const MotionDof& after) {
-  return Analysis(before, after).Run();
+  Transition result = ApplyRules(before, after, DofTransitionsByCounts(before, after));
+  result.ambiguous = IsAmbiguous(before, after);
+  if (result.ambiguous) {
+    result.why +=
+        " Several indices decrease and several increase: every pair of them is listed, since nothing says "
+        "which "
+        "belongs to which.";
+  }
+  return result;
 }
 
 }  // namespace tact::algebra

@@ -69,7 +69,14 @@ int Restricted(const MotionDof& dof, Motion motion);
 /// Every index that falls with every one that rises, by motion, from, to: literally [thesis, 2.3.1].
 std::vector<DofTransition> DofTransitionsByCounts(const MotionDof& before, const MotionDof& after);
 
-/// The rules of [thesis, 2.6], literally.
+/// Whether in one motion several indices fall and several rise, so that counts alone do not pair them.
+bool IsAmbiguous(const MotionDof& before, const MotionDof& after);
+
+/// The rules of [thesis, 2.6] on the DOF-transitions given, which `ambiguous` says nothing about.
+Transition ApplyRules(const MotionDof& before, const MotionDof& after,
+                      std::vector<DofTransition> dof_transitions);
+
+/// The rules of [thesis, 2.6], literally: on DofTransitionsByCounts.
 Transition AnalyzeTransition(const MotionDof& before, const MotionDof& after);
 
 }  // namespace tact::algebra
