@@ -308,6 +308,9 @@ inline bool DofClassesAreRight(const json& c) {
   return true;
 }
 
+/// In path_oracle.h.
+inline bool PathIsRight(const json& c);
+
 inline bool IsRight(const json& c) {
   if (c["version"] != 1) return false;
   const std::string kind = c["kind"];
@@ -316,9 +319,12 @@ inline bool IsRight(const json& c) {
   if (kind == "transitions") return TransitionsAreRight(c);
   if (kind == "basis") return BasisIsRight(c);
   if (kind == "ill-reduced-singular") return IllReducedIsRight(c);
+  if (kind == "motion-path") return PathIsRight(c);
   if (kind != "motion-dofs") return false;
   const auto dof = RightRelation(c["relation"]);
   return dof && AssertsHold(c, *dof);
 }
 
 }  // namespace tact::provers::oracle
+
+#include "tests/provers/path_oracle.h"
