@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iostream>
 #include <random>
+#include <set>
 
 #include "provers/check/check.h"
 #include "provers/claims/claims.h"
