@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "algebra/contact/motion_dof.h"
 #include "enumerators/translation_steps.h"
 
