@@ -18,20 +18,27 @@ Quadratic Restricted(const Quadratic& p, const Rational& from, const Rational& t
   return {p.At(from), step * (p.c1 + Rational(2) * p.c2 * from), step * step * p.c2};
 }
 
-// How many corners lie in a plane throughout, none if a corner is not on its side: positive, or zero, all over
-// 0 <= t < 1.
-std::optional<size_t> CountInPlane(const std::vector<Quadratic>& heights, const Rational& from,
-                                   const Rational& to) {
-  size_t in_plane = 0;
+struct PlaneTest {
+  bool separates = true;  // no corner leaves its side: each is there, or in the plane, all over 0 <= t < 1
+  size_t in_plane = 0;    // all over
+  bool is_plane = false;  // at the end too: some corner is off it
+};
+
+PlaneTest TestPlane(const std::vector<Quadratic>& heights, const Rational& from, const Rational& to) {
+  PlaneTest test;
   for (const Quadratic& height : heights) {
     if (height.IsZero()) {
-      ++in_plane;
+      ++test.in_plane;
       continue;
     }
     const Quadratic here = Restricted(height, from, to);
-    if (here.c0.sign() <= 0 || !RootsInside(here).empty()) return std::nullopt;
+    if (here.c0.sign() <= 0 || !RootsInside(here).empty()) {
+      test.separates = false;
+      return test;
+    }
+    test.is_plane = test.is_plane || height.At(to).sign() > 0;
   }
-  return in_plane;
+  return test;
 }
 
 using SoupEdges = std::set<std::array<size_t, 2>>;
@@ -87,14 +94,14 @@ class Separator {
         AddEdges();
       }
       if (i == candidates_.size()) break;
-      const auto moving = CountInPlane(candidates_[i].moving, from, to);
-      if (!moving) continue;
-      const auto fixed = CountInPlane(candidates_[i].fixed, from, to);
-      if (!fixed) continue;
-      if (*moving == 0 || *fixed == 0) return i;
-      if (!best || *moving + *fixed < fewest) {
+      const PlaneTest moving = TestPlane(candidates_[i].moving, from, to);
+      if (!moving.separates) continue;
+      const PlaneTest fixed = TestPlane(candidates_[i].fixed, from, to);
+      if (!fixed.separates || !(moving.is_plane || fixed.is_plane)) continue;
+      if (moving.in_plane == 0 || fixed.in_plane == 0) return i;
+      if (!best || moving.in_plane + fixed.in_plane < fewest) {
         best = i;
-        fewest = *moving + *fixed;
+        fewest = moving.in_plane + fixed.in_plane;
       }
     }
     return best;

@@ -12,6 +12,8 @@
 namespace tact::check {
 namespace {
 
+// How often an interval is halved in which the touches could not be decided at once.
+constexpr int kHalvings = 10;
 // So that a hostile certificate is refused instead of keeping the checker busy.
 constexpr std::size_t kMostPieces = 16, kMostCorners = 32, kMostPlanes = 64, kMostRelations = 8,
                       kMostContacts = 1024;
@@ -22,6 +24,17 @@ const Array& AsShortArray(const Value& value, std::size_t least, std::size_t mos
     throw Refused(&value, "expected " + std::to_string(least) + " to " + std::to_string(most) + " entries");
   }
   return array;
+}
+
+// Of the hull: some plane touches it there only.
+bool IsCorner(const Piece& piece, std::size_t index) {
+  Matrix directions;
+  for (std::size_t i = 0; i < piece.size(); ++i) {
+    if (i == index) continue;
+    directions.push_back(Difference(piece[i], piece[index]));
+    if (directions.back() == Row(3)) return false;
+  }
+  return Rank(ExtremeNormals(directions)) == 3;
 }
 
 std::vector<Piece> ReadPieces(const Value& value) {
@@ -35,6 +48,9 @@ std::vector<Piece> ReadPieces(const Value& value) {
       differences.push_back(Difference(piece.back(), piece.front()));
     }
     if (Rank(differences) < 3) throw Refused(&list, "the corners are all in one plane");
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+      if (!IsCorner(piece, i)) throw Refused(&AsArray(list)[i], "no corner: the others' hull holds it");
+    }
   }
   return pieces;
 }
@@ -70,7 +86,7 @@ class Check {
     for (const Pair& pair : pairs_) {
       std::vector<TouchingCorner> first;
       for (const Separation& separation : pair.separations) {
-        const auto corners = CornersIn(pair, separation, Between(separation.from, separation.until));
+        const auto corners = CornersFrom(pair, separation, separation.from, separation.until, kHalvings);
         if (&separation == &pair.separations.front()) first = corners;
         if (corners != first) throw Refused(separation.where, "other corners touch than before");
       }
@@ -144,10 +160,22 @@ class Check {
     return Standing(pair.fixed[AsIndex(*fixed, pair.fixed.size())]);
   }
 
-  // The corners in which the two pieces touch all over the stage; the plane is checked.
-  std::vector<TouchingCorner> CornersIn(const Pair& pair, const Separation& separation,
-                                        const Stage& stage) const {
-    const Value& plane = *separation.where;
+  // The corners in which the two pieces touch from one s to another, the same ones all the way.
+  std::vector<TouchingCorner> CornersFrom(const Pair& pair, const Separation& separation,
+                                          const Fraction& from, const Fraction& until, int halvings) const {
+    TouchingAnswer answer = CornersIn(pair, *separation.where, Between(from, until));
+    if (answer.undecided.empty()) return answer.corners;
+    if (halvings == 0)
+      throw Refused(separation.where, "the touch of " + answer.undecided + " comes or goes before s = 1");
+    const Fraction middle{from.p * until.q + until.p * from.q, 2 * from.q * until.q};
+    const auto first = CornersFrom(pair, separation, from, middle, halvings - 1);
+    if (CornersFrom(pair, separation, middle, until, halvings - 1) != first)
+      throw Refused(separation.where, "touches come or go before s = 1");
+    return first;
+  }
+
+  // Those in which they touch all over the stage; the plane is checked.
+  TouchingAnswer CornersIn(const Pair& pair, const Value& plane, const Stage& stage) const {
     PlanePair touching{pair.moving, pair.fixed, {}, {}, NormalOf(pair, plane, stage)};
     const PolynomialPoint base = BaseOf(pair, plane, stage);
     bool strict = false;
@@ -166,7 +194,7 @@ class Check {
     for (std::size_t i = 0; i < pair.fixed.size(); ++i)
       sort(Standing(pair.fixed[i]), i, -1, "fixed", touching.fixed_corners);
     if (!strict) throw Refused(&plane, "no plane: all corners of both pieces are in it");
-    return TouchingCorners(touching, path_, stage, plane);
+    return TouchingCorners(touching, path_, stage);
   }
 
   // Of a point at a stage of one s.
@@ -183,7 +211,7 @@ class Check {
     const Stage stage = Only(s);
     Piece moving;
     for (const Row& corner : pair.moving) moving.push_back(InPlace(path_.Carry(corner, stage)));
-    for (const TouchingCorner& corner : CornersIn(pair, *separation, stage)) {
+    for (const TouchingCorner& corner : CornersIn(pair, *separation->where, stage).corners) {
       if (contacts.size() == kMostContacts)
         throw Refused(separation->where, "more than " + std::to_string(kMostContacts) + " contacts");
       const Row point = InPlace(corner.point);

@@ -12,10 +12,7 @@ bool Includes(const Matrix& larger, const Matrix& smaller) {
   });
 }
 
-Matrix SeparateNormals(const Piece& moving, const Piece& fixed, const Row& point) {
-  Matrix generators;  // n . g >= 0 for each
-  for (const Row& m : moving) generators.push_back(Difference(m, point));
-  for (const Row& f : fixed) generators.push_back(Difference(point, f));
+Matrix ExtremeNormals(const Matrix& generators) {
   Matrix normals;
   const auto try_normal = [&](const Row& n) {
     const bool separates =
@@ -31,6 +28,13 @@ Matrix SeparateNormals(const Piece& moving, const Piece& fixed, const Row& point
     }
   }
   return normals;
+}
+
+Matrix SeparateNormals(const Piece& moving, const Piece& fixed, const Row& point) {
+  Matrix generators;
+  for (const Row& m : moving) generators.push_back(Difference(m, point));
+  for (const Row& f : fixed) generators.push_back(Difference(point, f));
+  return ExtremeNormals(generators);
 }
 
 }  // namespace tact::check

@@ -1,8 +1,8 @@
 /// @file
 /// The separate planes of two convex pieces that touch at a point.
-/// Model   Of the cone of all normals n with n . (m - p) >= 0 for the moving corners m and n . (f - p) <= 0 for the
-///         fixed ones: its extreme rays. Each is at a right angle to two independent of these differences, so
-///         all pairs are tried.
+/// Model   The normals n with n . (m - p) >= 0 for the moving corners m and n . (f - p) <= 0 for the fixed ones
+///         are a cone; the separate planes are its extreme rays. Each is at a right angle to two independent of
+///         these differences, so all pairs are tried.
 /// Exact   integers, + * = < only.
 #pragma once
 
@@ -14,7 +14,10 @@ bool SameDirection(const Row& a, const Row& b);
 /// Whether each direction of one list is in the other.
 bool Includes(const Matrix& larger, const Matrix& smaller);
 
-/// Each direction once. The pieces are in place; precondition: neither is flat.
+/// The extreme rays of { n | n . g >= 0 for each g }, each once, if the g span all of space.
+Matrix ExtremeNormals(const Matrix& generators);
+
+/// The pieces are in place; precondition: neither is flat.
 Matrix SeparateNormals(const Piece& moving, const Piece& fixed, const Row& point);
 
 }  // namespace tact::check

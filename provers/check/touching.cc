@@ -141,45 +141,35 @@ PolynomialPoint Crossing(const PolynomialPoint& a, const Polynomial& over_a, con
 
 }  // namespace
 
-std::vector<TouchingCorner> TouchingCorners(const PlanePair& pair, const Path& path, const Stage& stage,
-                                            const Value& where) {
-  if (pair.moving_corners.empty() || pair.fixed_corners.empty()) return {};
+TouchingAnswer TouchingCorners(const PlanePair& pair, const Path& path, const Stage& stage) {
+  TouchingAnswer answer;
+  if (pair.moving_corners.empty() || pair.fixed_corners.empty()) return answer;
   const View of_fixed = FixedView(pair, path, stage), of_moving = MovingView(pair, path, stage);
-  std::vector<TouchingCorner> corners;
-  const auto undecided = [&](const std::string& what) {
-    throw Refused(&where, what + " comes or goes in between, or cannot be decided");
+  const auto add = [&](std::optional<bool> touches, TouchingCorner corner, const std::string& name) {
+    if (!touches) answer.undecided = name;
+    if (touches == true) answer.corners.push_back(std::move(corner));
   };
-  for (const std::size_t m : pair.moving_corners) {
-    const auto holds = of_fixed.Holds(m);
-    if (!holds) undecided("the touch of moving corner " + std::to_string(m));
-    if (*holds) corners.push_back({{m}, {}, of_fixed.others[m]});
-  }
-  for (const std::size_t f : pair.fixed_corners) {
-    const auto holds = of_moving.Holds(f);
-    if (!holds) undecided("the touch of fixed corner " + std::to_string(f));
-    if (*holds) corners.push_back({{}, {f}, Standing(pair.fixed[f])});
-  }
-  const auto& moving_edges = of_moving.polygon.edges;
-  const auto& fixed_edges = of_fixed.polygon.edges;
-  for (std::size_t e = 0; e < moving_edges.size(); ++e) {
-    for (std::size_t g = 0; g < fixed_edges.size(); ++g) {
-      const auto [a, b] = moving_edges[e];
-      const auto [c, d] = fixed_edges[g];
+  for (const std::size_t m : pair.moving_corners)
+    add(of_fixed.Holds(m), {{m}, {}, of_fixed.others[m]}, "moving corner " + std::to_string(m));
+  for (const std::size_t f : pair.fixed_corners)
+    add(of_moving.Holds(f), {{}, {f}, Standing(pair.fixed[f])}, "fixed corner " + std::to_string(f));
+  for (std::size_t e = 0; e < of_moving.polygon.edges.size(); ++e) {
+    for (std::size_t g = 0; g < of_fixed.polygon.edges.size(); ++g) {
+      const auto [a, b] = std::minmax(of_moving.polygon.edges[e].first, of_moving.polygon.edges[e].second);
+      const auto [c, d] = std::minmax(of_fixed.polygon.edges[g].first, of_fixed.polygon.edges[g].second);
       const auto moving_parts = of_moving.Parts(e, c, d), fixed_parts = of_fixed.Parts(g, a, b);
       if (moving_parts == false || fixed_parts == false) continue;
-      if (!moving_parts || !fixed_parts) {
-        undecided("the crossing of the moving edge from corner " + std::to_string(a) + " to " +
-                  std::to_string(b) + " and the fixed one from " + std::to_string(c) + " to " +
-                  std::to_string(d));
-      }
-      corners.push_back(
-          {{std::min(a, b), std::max(a, b)},
-           {std::min(c, d), std::max(c, d)},
-           Crossing(of_fixed.others[a], of_fixed.Side(g, a), of_fixed.others[b], of_fixed.Side(g, b))});
+      const bool decided = moving_parts && fixed_parts;
+      add(decided ? std::optional(true) : std::nullopt,
+          {{a, b},
+           {c, d},
+           Crossing(of_fixed.others[a], of_fixed.Side(g, a), of_fixed.others[b], of_fixed.Side(g, b))},
+          "moving edge " + std::to_string(a) + " to " + std::to_string(b) + " on fixed edge " +
+              std::to_string(c) + " to " + std::to_string(d));
     }
   }
-  std::sort(corners.begin(), corners.end());
-  return corners;
+  std::sort(answer.corners.begin(), answer.corners.end());
+  return answer;
 }
 
 }  // namespace tact::check

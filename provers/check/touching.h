@@ -3,10 +3,11 @@
 /// Model   A moving corner in the fixed polygon, a fixed corner in the moving one, a crossing of two edges' inner
 ///         points. Two convex polygons that share a point share such a corner. A polygon may be a segment or a
 ///         point.
-/// Exact   each decision holds all over a stage (path_geometry.h), or it is refused.
+/// Exact   each decision holds all over a stage (path_geometry.h).
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "provers/check/path_geometry.h"
@@ -37,9 +38,12 @@ struct PlanePair {
   PolynomialVector normal;
 };
 
-/// In ascending order; none: the polygons stay apart. Refused, at `where`: a corner or an edge that comes or
-/// goes, or whose signs were not decided.
-std::vector<TouchingCorner> TouchingCorners(const PlanePair& pair, const Path& path, const Stage& stage,
-                                            const Value& where);
+/// The corners in ascending order, none if the polygons stay apart; or which touch comes or goes during the
+/// stage, as far as signs that last all the stage can tell.
+struct TouchingAnswer {
+  std::vector<TouchingCorner> corners;
+  std::string undecided;
+};
+TouchingAnswer TouchingCorners(const PlanePair& pair, const Path& path, const Stage& stage);
 
 }  // namespace tact::check

@@ -114,9 +114,9 @@ Table ClassTable(const DofDefinition& definition, const Witnesses& witnesses) {
   return table;
 }
 
-Certificate ListCertificate(const std::string& id, const Witnesses& witnesses, Faces faces) {
-  return DofClassesCertificate(id, id, faces, witnesses.relations, enumerators::DofDefinitions(),
-                               faces == Faces::kAny);
+Certificate ListCertificate(const std::string& id, ClassList list,
+                            const std::vector<ContactRelation>& witnesses) {
+  return DofClassesCertificate(id, id, list, witnesses, enumerators::DofDefinitions());
 }
 
 std::string Searched(const Witnesses& witnesses) {
@@ -141,7 +141,7 @@ Outcome TryTenKinds(Effort) {
   outcome.bound = "complete";
   outcome.numbers = {{"classes in translation", static_cast<long long>(classes)}};
   outcome.tables = {ClassTable(translation, AnySolids())};
-  outcome.certificates = {ListCertificate(id, AnySolids(), Faces::kAny)};
+  outcome.certificates = {ListCertificate(id, ClassList::kAnyFaces, AnySolids().relations)};
   outcome.evidence =
       "The ten are the ways to write three as an ordered sum of three: no more are possible, and each has a "
       "witness. "
@@ -150,7 +150,7 @@ Outcome TryTenKinds(Effort) {
 }
 
 Outcome Try138(Effort) {
-  const std::string id = "thesis.2.3.138-kinds";
+  const std::string id = "thesis.2.3.kinds-138";
   const auto count = [](const std::string& name) {
     return static_cast<long long>(CountDistinct(AnySolids().dofs, Definition(name)));
   };
@@ -172,20 +172,20 @@ Outcome Try138(Effort) {
                      {"printed", 138}};
   outcome.tables = {CountsTable(), LemmaTable(),
                     ClassTable(Definition("translation, rotation with types, all motion"), AnySolids())};
-  outcome.certificates = {ListCertificate(id, AnySolids(), Faces::kAny)};
+  outcome.certificates = {ListCertificate(id, ClassList::kAnyFaces, AnySolids().relations)};
   outcome.evidence =
       "Read literally - indices in translation and rotation - there are 66 kinds, and 90, 107 or 142 with "
       "Types I and II, "
       "all motion, or both. None of the eleven readings gives 138.\n\n" +
       std::string(kMeeting) +
-      "\n\nWhat does give it: see thesis.2.3.138-kinds-boxes. Three of the 142 cannot be had with "
+      "\n\nWhat does give it: see thesis.2.3.kinds-138-boxes. Three of the 142 cannot be had with "
       "axis-parallel faces, and "
       "one of the 139 others is the relation in which nothing touches.";
   return outcome;
 }
 
 Outcome TryBoxes(Effort) {
-  const std::string id = "thesis.2.3.138-kinds-boxes";
+  const std::string id = "thesis.2.3.kinds-138-boxes";
   Outcome outcome;
   outcome.bound = "complete; " + Searched(Boxes());
   const auto touching = std::count_if(Boxes().relations.begin(), Boxes().relations.end(),
@@ -204,7 +204,7 @@ Outcome TryBoxes(Effort) {
          std::to_string(AnySolids().relations[i].contacts.size()), Describe(AnySolids().relations[i])});
   }
   outcome.tables = {std::move(missing), CountsTable()};
-  outcome.certificates = {ListCertificate(id, Boxes(), Faces::kAxisParallel)};
+  outcome.certificates = {ListCertificate(id, ClassList::kAxisParallelFaces, Boxes().relations)};
   outcome.evidence =
       "Solids whose faces are all parallel to the coordinate planes - what one draws, and what a search with "
       "blocks "
@@ -230,7 +230,7 @@ Outcome TryFootnote(Effort) {
   outcome.verdict = failures == 0 ? Verdict::kProved : Verdict::kRefuted;
   outcome.bound = "complete: all 142 classes";
   outcome.numbers = {{"classes", static_cast<long long>(AnySolids().dofs.size())}, {"failures", failures}};
-  outcome.certificates = {ListCertificate(id, AnySolids(), Faces::kAny)};
+  outcome.certificates = {ListCertificate(id, ClassList::kAnyFaces, AnySolids().relations)};
   outcome.evidence =
       "Held against every class there is: the restricted DOFs are ranks, the maintaining ones what the ranks "
       "leave, so the sums agree. "
@@ -240,25 +240,7 @@ Outcome TryFootnote(Effort) {
   return outcome;
 }
 
-// The restricted DOFs that a singular contact may leave, at least: those of the others, and two planes' directions.
-std::vector<MotionDof> SingularCandidates() {
-  std::vector<MotionDof> candidates;
-  for (MotionDof dof : enumerators::DofClasses()) {
-    dof.singular = true;
-    const int translation = dof.translation.restricted, rotation = dof.rotation.restricted;
-    for (int rt = std::max(2, translation); rt <= 3; ++rt) {
-      for (int rr = rotation; rr <= 3; ++rr) {
-        dof.translation.restricted = rt;
-        dof.rotation.restricted = rr;
-        dof.all.restricted = rt + rr;
-        candidates.push_back(dof);
-      }
-    }
-  }
-  return candidates;
-}
-
-// Singular contacts with two or three planes near the corner world's contacts.
+// Singular contacts with two planes near the corner world's contacts.
 std::vector<algebra::Contact> SingularContacts() {
   const std::vector<algebra::Vector3> normals = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {-1, 0, 1}};
   std::vector<algebra::Contact> contacts;
@@ -288,11 +270,12 @@ void Extend(const ContactRelation& relation, size_t more, std::map<MotionDof, Co
 }
 
 Outcome TrySingularKinds(Effort) {
+  const std::string id = "thesis.2.3.singular-kinds";
   std::map<MotionDof, ContactRelation> found;
   for (const ContactRelation& relation : AnySolids().relations) Extend(relation, 3, found);
   // Some tuples need other members of their class: a singular contact that adds one couple only.
   for (const ContactRelation& relation : LevelSolids().relations) Extend(relation, 1, found);
-  const std::vector<MotionDof> candidates = SingularCandidates();
+  const std::vector<MotionDof> candidates = enumerators::SingularClasses();
   const std::set<MotionDof> allowed(candidates.begin(), candidates.end());
   Outcome outcome;
   long long outside = 0, missing = 0;
@@ -310,9 +293,10 @@ Outcome TrySingularKinds(Effort) {
       {"outside what is allowed", outside}};
   outcome.verdict = outside > 0 ? Verdict::kRefuted : (missing == 0 ? Verdict::kProved : Verdict::kHoldsTo);
   outcome.bound = missing == 0 ? "complete" : "witnesses with up to three singular contacts";
-  outcome.no_certificate =
-      "each witness is a relation that tact dof counts again; the upper bound is the last section of "
-      "docs/dof-classes.md";
+  std::vector<ContactRelation> witnesses;
+  for (const auto& [dof, relation] : found) witnesses.push_back(relation);
+  if (missing == 0 && outside == 0)
+    outcome.certificates = {ListCertificate(id, ClassList::kSingular, witnesses)};
   if (missing > 0) outcome.tables = {std::move(table)};
   outcome.evidence =
       "The singular DOFs are those of the contacts that are left when the singular ones are taken away, so "
@@ -331,12 +315,12 @@ std::vector<Claim> DofClassClaims() {
        "By their maintaining, detaching and constraining DOFs in translation there are ten kinds of "
        "contact relations.",
        "2.3", "exhaustive", TryTenKinds},
-      {"thesis.2.3.138-kinds",
+      {"thesis.2.3.kinds-138",
        "By their maintaining, detaching and constraining DOFs in translation and rotation there are 138 "
        "kinds of "
        "non-singular contact relations.",
        "2.3", "exhaustive", Try138},
-      {"thesis.2.3.138-kinds-boxes",
+      {"thesis.2.3.kinds-138-boxes",
        "Of solids with axis-parallel faces there are 138 kinds of non-singular relations with a contact, "
        "all indices "
        "taken together.",
@@ -348,7 +332,7 @@ std::vector<Claim> DofClassClaims() {
        "2.3 and 2.2.2", "exhaustive", TrySingularKinds},
       {"thesis.2.3.2.footnote",
        "In a non-singular relation each restricted DOF is the sum of the detaching and the constraining DOF.",
-       "2.6, footnote 1, on the complete list of classes", "exhaustive", TryFootnote}};
+       "2.3.2 and 2.6, footnote 1, on the complete list of classes", "exhaustive", TryFootnote}};
 }
 
 }  // namespace tact::provers

@@ -1,8 +1,8 @@
 /// @file
-/// Scenes whose paths change a contact relation, of every kind of plane and touch; the relation that each end
-/// shows was worked out by hand.
+/// Scenes with planes and touches of every kind; how many contacts each end has was counted by hand.
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -21,6 +21,7 @@ struct NamedScene {
   Scene scene;
   size_t contacts_before, contacts_after;
 };
+inline void PrintTo(const NamedScene& scene, std::ostream* out) { *out << scene.name; }
 
 inline std::vector<Vector3> Corners(const Vector3& low, const Vector3& high) {
   return algebra::Box(low, high).points;
@@ -70,11 +71,38 @@ inline std::vector<NamedScene> PathScenes() {
        8,
        12},
       {"CrossedEdgesSlideToAnEnd",
-       {{Carried(PrismCorners({{0, 0}, {1, 1}, {-1, 1}}), Turn(1, 1, 0, 0))},
-        {{{-1, -2, -1}, {-1, 2, -1}, {1, -2, -1}, {1, 2, -1}, {0, -2, 0}, {0, 2, 0}}},
-        MotionPath::Line({0, 1, 0})},
+       {{{{-2, -1, 1}, {-2, 1, 1}, {-2, 0, 0}, {2, -1, 1}, {2, 1, 1}, {2, 0, 0}}},
+        {{{-1, -2, -1}, {1, -2, -1}, {0, -2, 0}, {-1, 2, -1}, {1, 2, -1}, {0, 2, 0}}},
+        MotionPath::Line({2, 0, 0})},
        1,
        1},
+      {"PlateTurnsAboutAFixedEdge",
+       {{Corners({-3, -3, 0}, {3, 3, 1})},
+        {Carried(Corners({0, 0, -1}, {2, 1, 0}), Turn(2, 0, 1, 0))},
+        MotionPath::Rotation({0, 0, 0}, {0, half, 0})},
+       2,
+       4},
+      {"WedgeGoesRoundACorner",
+       {{PrismCorners({{Rational(19, 10), 0},
+                       {Rational(12, 5), -half},
+                       {Rational(29, 10), 0},
+                       {Rational(12, 5), half}})},
+        {Corners({-1, -1, 0}, {1, 1, 1})},
+        MotionPath::Rotation({0, 0, 0}, {0, 0, 1})},
+       0,
+       0},
+      {"TipLandsOnTip",
+       {{{{0, 0, 1}, {1, 1, 3}, {-1, 1, 3}, {-1, -1, 3}, {1, -1, 3}}},
+        {{{0, 0, 0}, {2, 2, -1}, {-2, 2, -1}, {-2, -2, -1}, {2, -2, -1}}},
+        MotionPath::Line({0, 0, -1})},
+       0,
+       1},
+      {"BlockTurnsToTheWall",
+       {{Carried(Corners({0, 0, 0}, {2, 1, 1}), Turn(2, 0, 0, 1))},
+        {Corners({-5, -5, -1}, {5, 5, 0}), Corners({-5, -2, 0}, {5, 0, 2})},
+        MotionPath::Rotation({0, 0, 0}, {0, 0, -half})},
+       6,
+       8},
   };
 }
 
