@@ -5,7 +5,7 @@ namespace tact::provers {
 std::vector<Claim> AllClaims() {
   std::vector<Claim> all;
   for (auto part : {DisplacementClaims(), PropositionClaims(), MotionDofClaims(), DofClassClaims(),
-                    SingularClaims(), PegInsertionClaims()}) {
+                    DofTransitionClaims(), SingularClaims(), PegInsertionClaims()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;

@@ -18,6 +18,8 @@ std::vector<Claim> MotionDofClaims();
 std::vector<Claim> SingularClaims();
 /// [thesis, 2.3]: how many kinds of contact relations there are.
 std::vector<Claim> DofClassClaims();
+/// [thesis, 2.3 and 2.6]: DOF-transitions, the practical ones, and the rules that read them.
+std::vector<Claim> DofTransitionClaims();
 /// [thesis, 2.8.2]: the peg insertion and its seven transitions.
 std::vector<Claim> PegInsertionClaims();
 

@@ -1,5 +1,6 @@
 #include "provers/report/projection.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -55,6 +56,15 @@ Projection::Projection(const View& view) {
 ViewPoint Projection::operator()(const algebra::Vector3& v) const {
   const Triple point = algebra::ToDouble(v);
   return {Dot(right_, point), Dot(up_, point), Dot(toward_viewer_, point)};
+}
+
+ViewPoint Projection::Direction(const algebra::Vector3& v) const {
+  if (v.IsZero()) throw PreconditionError("Projection: expected a direction that is not zero");
+  // The largest entry is brought to one first: exact entries may be too large to square as doubles.
+  const algebra::Rational largest = std::max({algebra::Abs(v.x), algebra::Abs(v.y), algebra::Abs(v.z)});
+  const ViewPoint p = (*this)(algebra::Rational(1) / largest * v);
+  const double length = std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z);
+  return {p.x / length, p.y / length, p.z / length};
 }
 
 }  // namespace tact::provers

@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <set>
 
-#include "algebra/error.h"
 #include "provers/report/paint_order.h"
 #include "provers/report/svg_canvas.h"
 
@@ -29,16 +28,6 @@ struct Arrow {
   bool singular = false;
   double toward_viewer = 0;  // the unit normal's part along the line of sight
 };
-
-ViewPoint UnitInView(const Projection& project, const algebra::Vector3& v) {
-  if (v.IsZero()) throw PreconditionError("DrawContactRelation: expected normals that are not zero");
-  // The largest entry is brought to one first: exact entries may be too large to square as doubles.
-  algebra::Rational largest;
-  for (int i = 0; i < 3; ++i) largest = std::max(largest, algebra::Abs(v[i]));
-  const ViewPoint p = project(algebra::Rational(1) / largest * v);
-  const double length = std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z);
-  return {p.x / length, p.y / length, p.z / length};
-}
 
 std::string FaceStyle(Part part, const ViewPoint& normal) {
   if (part == Part::kOutline) return "fill=\"none\"";
@@ -65,7 +54,7 @@ void CollectFaces(const std::vector<DrawnSolid>& solids, const Projection& proje
     std::vector<ViewPoint> points;
     for (const algebra::Vertex& vertex : drawn.solid.vertices) points.push_back(project(vertex.point));
     for (const algebra::Face& face : drawn.solid.faces) {
-      const ViewPoint normal = UnitInView(project, face.normal);
+      const ViewPoint normal = project.Direction(face.normal);
       if (std::abs(normal.z) < kEdgeOn || (drawn.part == Part::kMoving && normal.z < 0)) continue;
       FlatFace outline{{}, normal};
       PaintedFace paint{drawn.part, FaceStyle(drawn.part, normal), {}, {}, {}};
@@ -94,7 +83,7 @@ std::vector<Arrow> CollectArrows(const algebra::ContactRelation& relation, const
   for (const algebra::Contact& contact : relation.contacts) {
     const ViewPoint from = project(contact.point);
     for (const algebra::Vector3& normal : contact.planes) {
-      const ViewPoint n = UnitInView(project, normal);
+      const ViewPoint n = project.Direction(normal);
       arrows.push_back({from,
                         {from.x + length * n.x, from.y + length * n.y, from.z + length * n.z},
                         contact.singular(),
@@ -169,7 +158,11 @@ std::string DrawContactRelation(const std::vector<DrawnSolid>& solids,
 
   std::vector<ViewPoint> seen;
   for (const DrawnSolid& drawn : solids) {
-    for (const algebra::Vertex& vertex : drawn.solid.vertices) seen.push_back(project(vertex.point));
+    for (const algebra::Face& face : drawn.solid.faces) {
+      for (const size_t vertex : face.loops.at(0)) {
+        seen.push_back(project(drawn.solid.vertices.at(vertex).point));
+      }
+    }
   }
   for (const algebra::Contact& contact : relation.contacts) seen.push_back(project(contact.point));
   const double extent = Extent(seen) > 0 ? Extent(seen) : 1;
@@ -184,8 +177,10 @@ std::string DrawContactRelation(const std::vector<DrawnSolid>& solids,
   DrawTriad(canvas, project);
   const auto singular = std::count_if(relation.contacts.begin(), relation.contacts.end(),
                                       [](const algebra::Contact& contact) { return contact.singular(); });
-  return canvas.Finish(fmt::format("{} solids, {} contacts, {} of them singular", solids.size(),
-                                   relation.contacts.size(), singular));
+  const auto shown = std::count_if(solids.begin(), solids.end(),
+                                   [](const DrawnSolid& drawn) { return drawn.part != Part::kOutline; });
+  return canvas.Finish(
+      fmt::format("{} solids, {} contacts, {} of them singular", shown, relation.contacts.size(), singular));
 }
 
 }  // namespace tact::provers

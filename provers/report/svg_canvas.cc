@@ -37,18 +37,19 @@ double Extent(const std::vector<ViewPoint>& points) {
   return std::max(box.high_x - box.low_x, box.high_y - box.low_y);
 }
 
-SvgCanvas::SvgCanvas(const std::vector<ViewPoint>& points, double width, double height) {
+SvgCanvas::SvgCanvas(const std::vector<ViewPoint>& points, double width, double height, bool triad) {
+  const double column = triad ? kTriadColumn : kPadding;
   const Box box = BoxOf(points);
   const double across = box.high_x - box.low_x, up = box.high_y - box.low_y;
-  const double room_across = std::max(width - kTriadColumn - kPadding, 1.0),
+  const double room_across = std::max(width - column - kPadding, 1.0),
                room_up = std::max(height - 2 * kPadding, 1.0);
   if (across > 0 || up > 0) {
     scale_ = std::min(across > 0 ? room_across / across : room_up / up,
                       up > 0 ? room_up / up : room_across / across);
   }
-  width_ = kTriadColumn + scale_ * across + kPadding;
-  height_ = std::max(scale_ * up + 2 * kPadding, kTriadColumn + kPadding);
-  left_ = kTriadColumn - scale_ * box.low_x;
+  width_ = column + scale_ * across + kPadding;
+  height_ = std::max(scale_ * up + 2 * kPadding, column + kPadding);
+  left_ = column - scale_ * box.low_x;
   top_ = (height_ + scale_ * (box.low_y + box.high_y)) / 2;
 }
 
@@ -70,12 +71,23 @@ void SvgCanvas::Area(const std::vector<std::vector<ViewPoint>>& loops, const std
   body_ += fmt::format("<path d=\"{}\" {}/>\n", path, style);
 }
 
+void SvgCanvas::Circle(const ViewPoint& centre, double radius, const std::string& style) {
+  const Pixel at = ToPixel(centre);
+  body_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" {}/>\n", ShortDecimal(at.x), ShortDecimal(at.y),
+                       ShortDecimal(scale_ * radius), style);
+}
+
 void SvgCanvas::Lines(const std::vector<std::pair<ViewPoint, ViewPoint>>& lines, const std::string& style) {
   if (lines.empty()) return;
-  std::string path;
-  for (const auto& [from, to] : lines) path += "M" + Key(from) + "L" + Key(to);
+  std::string path, at;
+  for (const auto& [from, to] : lines) {
+    const std::string start = Key(from), end = Key(to);
+    path += (start == at ? "L" : "M" + start + "L") + end;
+    at = end;
+  }
   path.pop_back();
-  body_ += fmt::format("<path d=\"{}\" fill=\"none\" stroke-linecap=\"round\" {}/>\n", path, style);
+  body_ += fmt::format(
+      "<path d=\"{}\" fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\" {}/>\n", path, style);
 }
 
 void SvgCanvas::ArrowBetween(Pixel from, Pixel to, const std::string& colour, double width, bool rim) {
@@ -118,6 +130,27 @@ void SvgCanvas::Ring(Pixel at, bool toward_viewer, const std::string& colour, do
   }
 }
 
+void SvgCanvas::Name(Pixel at, const std::string& name, const std::string& colour) {
+  body_ += fmt::format(
+      "<text x=\"{}\" y=\"{}\" fill=\"{}\" font-family=\"Georgia, serif\" font-style=\"italic\" "
+      "font-size=\"14\" text-anchor=\"middle\">{}</text>\n",
+      ShortDecimal(at.x), ShortDecimal(at.y + 4), colour, Escape(name));
+}
+
+void SvgCanvas::NamedArrow(const ViewPoint& from, const ViewPoint& to, const std::string& name,
+                           const std::string& colour) {
+  constexpr double kShortest = 7, kNameGap = 9;
+  const Pixel tail = ToPixel(from), tip = ToPixel(to);
+  const double dx = tip.x - tail.x, dy = tip.y - tail.y, length = std::hypot(dx, dy);
+  if (length < kShortest) {
+    Ring(tip, to.z > from.z, colour, 5);
+    Name({tip.x + 1.4 * kNameGap, tip.y + 1.4 * kNameGap}, name, colour);
+  } else {
+    ArrowBetween(tail, tip, colour, 1.6, false);
+    Name({tip.x + kNameGap * dx / length, tip.y + kNameGap * dy / length}, name, colour);
+  }
+}
+
 void SvgCanvas::SightRing(const ViewPoint& at, bool toward_viewer, const std::string& colour) {
   Ring(ToPixel(at), toward_viewer, colour, 9.5);
 }
@@ -151,11 +184,7 @@ void SvgCanvas::Triad(std::vector<Axis> axes) {
       const double reach = kTriadArm + 8 / across;
       label = {origin.x + reach * axis.direction.x, origin.y - reach * axis.direction.y};
     }
-    body_ += fmt::format(
-        "<text x=\"{}\" y=\"{}\" fill=\"{}\" font-family=\"Georgia, serif\" font-style=\"italic\" "
-        "font-size=\"14\" "
-        "text-anchor=\"middle\">{}</text>\n",
-        ShortDecimal(label.x), ShortDecimal(label.y + 4), axis.colour, Escape(axis.name));
+    Name(label, axis.name, axis.colour);
   }
 }
 

@@ -113,6 +113,12 @@ TEST(RelationSolids, DiagonalNormalsAndNarrowAnglesAreRealised) {
             "");
 }
 
+TEST(RelationSolids, NormalsApartByLessThanDoublesCanTellAreRealised) {
+  const Rational large = *Rational::Parse("1e18");
+  EXPECT_EQ(Fault(Relation({{{0, 0, 0}, {large, 1, 0}}, {{1, 2, 3}, {large, 0, 1}}, {{0, 5, 1}, {1, 0, 0}}})),
+            "");
+}
+
 TEST(RelationSolids, AContactStaysOnItsLineOfActionAndKeepsItsName) {
   const ContactRelation given =
       Relation({{{3, 1, 0}, {0, 0, 2}}, {{0, 7, 1}, {1, 0, 0}}, {{0, 0, 5}, {0, -3, 1}}});
