@@ -13,8 +13,9 @@ using algebra::Polyhedron;
 using algebra::Rational;
 using algebra::Vector3;
 
-const std::array<Rational, 3>& Tangents() {
-  static const std::array<Rational, 3> tangents = {Rational(1, 2), Rational(1, 5), Rational(1, 20)};
+// The second where something is in the way of the first.
+const std::array<Rational, 2>& Tangents() {
+  static const std::array<Rational, 2> tangents = {Rational(1, 5), Rational(1, 20)};
   return tangents;
 }
 
@@ -44,6 +45,55 @@ bool Permitted(const algebra::ContactRelation& relation, const Vector3& center, 
   });
 }
 
+class Search {
+ public:
+  Search(const Polyhedron& moving, const Polyhedron& fixed, const FormationComplex& complex)
+      : moving_(moving), fixed_(fixed), complex_(complex) {}
+
+  TurnedContacts Run() {
+    for (size_t border = 0; border < complex_.formations.size(); ++border) {
+      const algebra::ContactRelation& relation = complex_.formations[border].relation;
+      known_ = {complex_.formations[border].pairs};
+      for (int axis = 0; axis < 3; ++axis) {
+        for (const Vector3& center : Centers(relation, axis)) {
+          for (const int sign : {1, -1}) {
+            if (Permitted(relation, center, AxisVector(axis, sign))) Try(border, center, axis, sign);
+          }
+        }
+      }
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void Try(size_t border, const Vector3& center, int axis, int sign) {
+    bool decided = true;
+    for (const Rational& size : Tangents()) {
+      const Turn turn{center, axis, Rational(sign) * size};
+      const Polyhedron turned = Transform(moving_, TurnedPose(complex_.formations[border].pose, turn));
+      algebra::FoundContacts open = FindContacts(turned, fixed_, 0);
+      if (open.penetration) continue;
+      ElementPairs pairs = PairsOf(open);
+      if (known_.count(pairs) != 0) return;
+      const auto path =
+          FollowPath(turned, fixed_, MotionPath::Rotation(center, AxisVector(axis, -turn.tangent)));
+      decided = !path.event || path.event->parameter.is_rational();
+      if (path.event) continue;
+      known_.insert(std::move(pairs));
+      const algebra::MotionDof dof = ComputeMotionDof(open.relation);
+      result_.found.push_back({border, turn, std::move(open), dof});
+      return;
+    }
+    result_.undecided += decided ? 0 : 1;
+  }
+
+  const Polyhedron& moving_;
+  const Polyhedron& fixed_;
+  const FormationComplex& complex_;
+  std::set<ElementPairs> known_;  // that some tilt out of the formation has
+  TurnedContacts result_;
+};
+
 }  // namespace
 
 algebra::Pose TurnedPose(const Vector3& translation, const Turn& turn) {
@@ -53,35 +103,7 @@ algebra::Pose TurnedPose(const Vector3& translation, const Turn& turn) {
 
 TurnedContacts FindTurnedContacts(const Polyhedron& moving, const Polyhedron& fixed,
                                   const FormationComplex& complex) {
-  TurnedContacts result;
-  for (size_t border = 0; border < complex.formations.size(); ++border) {
-    const Formation& formation = complex.formations[border];
-    std::set<ElementPairs> known = {formation.pairs};
-    for (int axis = 0; axis < 3; ++axis) {
-      for (const Vector3& center : Centers(formation.relation, axis)) {
-        for (const int sign : {1, -1}) {
-          if (!Permitted(formation.relation, center, AxisVector(axis, sign))) continue;
-          for (const Rational& size : Tangents()) {
-            const Turn turn{center, axis, Rational(sign) * size};
-            const Polyhedron turned = Transform(moving, TurnedPose(formation.pose, turn));
-            if (FindPenetration(turned, fixed, 0)) continue;
-            const algebra::PathContacts path =
-                FollowPath(turned, fixed, MotionPath::Rotation(center, AxisVector(axis, -turn.tangent)));
-            if (path.event) {
-              result.undecided += path.event->parameter.is_rational() ? 0 : 1;
-              continue;
-            }
-            if (known.insert(PairsOf(path.middle)).second) {
-              result.found.push_back(
-                  {border, turn, path.middle.relation, ComputeMotionDof(path.middle.relation)});
-            }
-            break;
-          }
-        }
-      }
-    }
-  }
-  return result;
+  return Search(moving, fixed, complex).Run();
 }
 
 }  // namespace tact::enumerators

@@ -25,7 +25,7 @@ algebra::Pose TurnedPose(const algebra::Vector3& translation, const Turn& turn);
 struct TurnedContact {
   size_t border = 0;  // formation that turning back leads into
   Turn turn;
-  algebra::ContactRelation relation;  // halfway
+  algebra::FoundContacts contacts;  // of the tilted solid
   algebra::MotionDof dof;
 };
 
