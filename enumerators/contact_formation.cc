@@ -61,7 +61,7 @@ class Search {
  private:
   struct Place {
     int pairs = kOverlap;  // index of the touching pairs
-    algebra::ContactRelation relation;
+    algebra::FoundContacts contacts;
     algebra::MotionDof dof;
   };
 
@@ -109,8 +109,8 @@ class Search {
       ++result_.cells;
       const auto [at, is_new] = known.emplace(PairsOf(found), static_cast<int>(known.size()));
       if (is_new) pairs_.push_back(at->first);
-      places_[i] = {at->second, std::move(found.relation), {}};
-      places_[i].dof = engine.Compute(places_[i].relation);
+      places_[i] = {at->second, std::move(found), {}};
+      places_[i].dof = engine.Compute(places_[i].contacts.relation);
     }
   }
 
@@ -136,7 +136,7 @@ class Search {
       const size_t root = Root(i);
       if (root == i) {
         formation_[i] = result_.formations.size();
-        result_.formations.push_back({pairs_[places_[i].pairs], -1, {}, {}, {}, 0, 0});
+        result_.formations.push_back({pairs_[places_[i].pairs], -1, {}, {}, {}, {}, 0, 0});
       }
       formation_[i] = formation_[root];
       Formation& formation = result_.formations[formation_[i]];
@@ -144,7 +144,8 @@ class Search {
       if (DimensionOf(i) <= formation.dimension) continue;
       formation.dimension = DimensionOf(i);
       formation.pose = PoseOf(i);
-      formation.relation = places_[i].relation;
+      formation.relation = places_[i].contacts.relation;
+      formation.elements = places_[i].contacts.elements;
       formation.dof = places_[i].dof;
     }
     for (size_t i = 0; i < places_.size(); ++i) {

@@ -27,7 +27,8 @@ struct Formation {
   ElementPairs pairs;  // empty: free
   int dimension = 0;   // of its set of translations
   algebra::Vector3 pose;
-  algebra::ContactRelation relation;  // at that pose
+  algebra::ContactRelation relation;                                    // at that pose
+  std::vector<std::pair<algebra::Element, algebra::Element>> elements;  // of each of its contacts
   algebra::MotionDof dof;
   size_t cells = 0;
   size_t uneven_cells = 0;  // with other motion DOFs than at the pose

@@ -79,8 +79,10 @@ class Search {
           FollowPath(turned, fixed_, MotionPath::Rotation(center, AxisVector(axis, -turn.tangent)));
       decided = !path.event || path.event->parameter.is_rational();
       if (path.event) continue;
-      known_.insert(std::move(pairs));
       const algebra::MotionDof dof = ComputeMotionDof(open.relation);
+      decided = dof == ComputeMotionDof(path.middle.relation);
+      if (!decided) continue;
+      known_.insert(std::move(pairs));
       result_.found.push_back({border, turn, std::move(open), dof});
       return;
     }
@@ -96,9 +98,12 @@ class Search {
 
 }  // namespace
 
+MotionPath PathOf(const Turn& turn) {
+  return MotionPath::Rotation(turn.center, AxisVector(turn.axis, turn.tangent));
+}
+
 algebra::Pose TurnedPose(const Vector3& translation, const Turn& turn) {
-  return MotionPath::Rotation(turn.center, AxisVector(turn.axis, turn.tangent)).At(1) *
-         algebra::Pose{{}, translation};
+  return PathOf(turn).At(1) * algebra::Pose{{}, translation};
 }
 
 TurnedContacts FindTurnedContacts(const Polyhedron& moving, const Polyhedron& fixed,

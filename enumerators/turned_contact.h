@@ -19,6 +19,9 @@ struct Turn {
   friend bool operator==(const Turn&, const Turn&) = default;
 };
 
+/// From the formation's pose.
+algebra::MotionPath PathOf(const Turn& turn);
+
 /// The pose of a solid that was translated and then turned.
 algebra::Pose TurnedPose(const algebra::Vector3& translation, const Turn& turn);
 
@@ -31,7 +34,7 @@ struct TurnedContact {
 
 struct TurnedContacts {
   std::vector<TurnedContact> found;  // by border, then as tried
-  size_t undecided = 0;              // tilts whose path could not be decided
+  size_t undecided = 0;  // tilts whose path has an irrational event, or motion DOFs that differ on the way
 };
 
 TurnedContacts FindTurnedContacts(const algebra::Polyhedron& moving, const algebra::Polyhedron& fixed,

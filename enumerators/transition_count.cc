@@ -1,0 +1,273 @@
+#include "enumerators/transition_count.h"
+
+#include <algorithm>
+#include <array>
+
+#include "algebra/contact/direction_limit.h"
+
+namespace tact::enumerators {
+namespace {
+
+using algebra::DofIndex;
+using algebra::DofPairing;
+using algebra::DofTransition;
+using algebra::FoundContacts;
+using algebra::kDofIndices;
+using algebra::Motion;
+using algebra::MotionDof;
+using algebra::MotionPath;
+using algebra::Polyhedron;
+using algebra::SubSkill;
+
+constexpr std::array<Motion, 2> kMotions = {Motion::kTranslation, Motion::kRotation};
+
+// One way through a pair of neighbours.
+struct Passage {
+  int lost_dimensions = 0;
+  bool opens = false;
+  const MotionDof& before;
+  const MotionDof& after;
+  std::array<DofPairing, 2> pairings;
+};
+
+DofPairing Transposed(const DofPairing& pairing) {
+  DofPairing result{};
+  for (int i = 0; i < kDofIndices; ++i) {
+    for (int j = 0; j < kDofIndices; ++j) result[j][i] = pairing[i][j];
+  }
+  return result;
+}
+
+bool Contains(const std::vector<DofTransition>& list, const DofTransition& t) {
+  return std::find(list.begin(), list.end(), t) != list.end();
+}
+
+// Whether some direction of a motion goes from one of the first to one of the second.
+bool AnyDirection(const Passage& passage, bool (*wanted)(DofIndex from, DofIndex to)) {
+  for (const DofPairing& pairing : passage.pairings) {
+    for (int i = 0; i < kDofIndices; ++i) {
+      for (int j = 0; j < kDofIndices; ++j) {
+        if (i != j && pairing[i][j] != 0 && wanted(static_cast<DofIndex>(i), static_cast<DofIndex>(j)))
+          return true;
+      }
+    }
+  }
+  return false;
+}
+
+bool Rises(const Passage& passage) {
+  return passage.after.translation.constraining > passage.before.translation.constraining ||
+         passage.after.rotation.constraining > passage.before.rotation.constraining;
+}
+
+// The element and those that bound it.
+bool InClosure(const Polyhedron& solid, const algebra::Element& part, const algebra::Element& whole) {
+  using algebra::ElementKind;
+  if (part == whole) return true;
+  if (whole.kind == ElementKind::kVertex) return false;
+  if (whole.kind == ElementKind::kEdge) {
+    const algebra::Edge& e = solid.edges[whole.index];
+    return part.kind == ElementKind::kVertex && (part.index == e.tail || part.index == e.head);
+  }
+  const algebra::Face& face = solid.faces[whole.index];
+  const auto& loops = part.kind == ElementKind::kVertex ? face.loops : face.loop_edges;
+  return part.kind != ElementKind::kFace && std::any_of(loops.begin(), loops.end(), [&](const auto& loop) {
+           return std::find(loop.begin(), loop.end(), part.index) != loop.end();
+         });
+}
+
+class Counter {
+ public:
+  Counter(const SolidPair& pair, size_t unit) : pair_(pair), unit_(unit) {}
+
+  TransitionCount Run() {
+    const FormationComplex complex = FindFormations(pair_.moving, pair_.fixed);
+    count_.pairs = 1;
+    count_.cells = complex.cells;
+    count_.formations = complex.formations.size();
+    count_.borders = complex.borders.size();
+    for (const Formation& f : complex.formations) count_.uneven_cells += f.uneven_cells;
+    for (const Border& border : complex.borders) {
+      const Formation &open = complex.formations[border.open], &closed = complex.formations[border.border];
+      place_ = {unit_, border.border_pose, border.open_pose, std::nullopt};
+      const MotionPath path = MotionPath::Line(border.open_pose - border.border_pose);
+      const FoundContacts contacts = FindContacts(Moved(border.open_pose), pair_.fixed, 0);
+      dimensions_ = {open.dimension, closed.dimension};
+      AddBothWays(path, contacts, open.dof, closed, border.border_pose);
+    }
+    if (!pair_.turns) return std::move(count_);
+    const TurnedContacts turned = FindTurnedContacts(pair_.moving, pair_.fixed, complex);
+    count_.tilts = turned.found.size();
+    count_.undecided_tilts = turned.undecided;
+    for (const TurnedContact& tilt : turned.found) {
+      const Formation& closed = complex.formations[tilt.border];
+      place_ = {unit_, closed.pose, closed.pose, tilt.turn};
+      dimensions_.reset();
+      AddBothWays(PathOf(tilt.turn), tilt.contacts, tilt.dof, closed, closed.pose);
+    }
+    return std::move(count_);
+  }
+
+ private:
+  Polyhedron Moved(const algebra::Vector3& pose) const { return Transform(pair_.moving, {{}, pose}); }
+
+  void AddBothWays(const MotionPath& path, const FoundContacts& contacts, const MotionDof& open,
+                   const Formation& closed, const algebra::Vector3& border_pose) {
+    const auto limits = LimitDirections(Moved(border_pose), pair_.fixed, path, contacts);
+    std::array<DofPairing, 2> closing{}, opening{};
+    for (size_t i = 0; i < kMotions.size(); ++i) {
+      closing[i] = PairByDirection(limits[i], FilterDirections(closed.relation, kMotions[i]));
+      opening[i] = Transposed(closing[i]);
+    }
+    const int lost = dimensions_ ? dimensions_->first - dimensions_->second : 0;
+    Add({lost, false, open, closed.dof, closing});
+    Add({lost, true, closed.dof, open, opening});
+    if (lost > 0) TryLaws({lost, false, open, closed.dof, closing}, contacts, closed);
+    if (lost > 0 && Rises({lost, true, closed.dof, open, opening}))
+      Try(3, {lost, true, closed.dof, open, opening}, closed.dof.singular);
+  }
+
+  void Count(const Passage& passage, Measure measure, int motion = 0, int from = 0, int to = 0) {
+    Tally& tally = count_.tallies[{measure, passage.lost_dimensions, passage.opens, motion, from, to}];
+    if (tally.count++ == 0) tally.first = place_;
+  }
+
+  void Add(const Passage& passage) {
+    Count(passage, Measure::kTransitions, 0, passage.before.singular, passage.after.singular);
+    if (dimensions_) {
+      const auto [open, closed] = *dimensions_;
+      Count(passage, Measure::kDimensions, 0, passage.opens ? closed : open, passage.opens ? open : closed);
+    }
+    const algebra::Transition analysis = AnalyzeTransition(passage.before, passage.after);
+    const auto forced = ForcedDofTransitions(passage.before, passage.after);
+    AddKinds(passage, analysis.dof_transitions, forced);
+    if (analysis.dof_transitions.empty()) {
+      Count(passage, Measure::kSameDofs);
+      return;
+    }
+    AddRules(passage, analysis);
+  }
+
+  void AddKinds(const Passage& passage, const std::vector<DofTransition>& all_pairs,
+                const std::vector<DofTransition>& forced) {
+    for (int motion = 0; motion < 2; ++motion) {
+      for (int from = 0; from < kDofIndices; ++from) {
+        for (int to = 0; to < kDofIndices; ++to) {
+          if (from == to) continue;
+          const DofTransition kind{kMotions[motion], static_cast<DofIndex>(from), static_cast<DofIndex>(to)};
+          const bool real = passage.pairings[motion][from][to] != 0, counted = Contains(all_pairs, kind);
+          if (real) Count(passage, Measure::kByDirection, motion, from, to);
+          if (Contains(forced, kind)) Count(passage, Measure::kForced, motion, from, to);
+          if (counted) Count(passage, Measure::kAllPairs, motion, from, to);
+          if (counted && !real) Count(passage, Measure::kOnlyByCounts, motion, from, to);
+          if (real && !counted) Count(passage, Measure::kHidden, motion, from, to);
+        }
+      }
+    }
+  }
+
+  void AddRules(const Passage& passage, const algebra::Transition& analysis) {
+    int named = 0;
+    bool makes = false, detaches = false;
+    for (const SubSkill skill : analysis.sub_skills) {
+      named |= 1 << static_cast<int>(skill);
+      makes = makes || skill == SubSkill::kMakeContactInTranslation ||
+              skill == SubSkill::kType1MakeContactInRotation ||
+              skill == SubSkill::kType2MakeContactInRotation;
+      detaches = detaches || skill == SubSkill::kDetachContactInTranslation ||
+                 skill == SubSkill::kDetachContactInRotation;
+    }
+    Count(passage, Measure::kSubSkills, 0, static_cast<int>(analysis.sub_skills.size()), named);
+    if (makes && detaches) Count(passage, Measure::kMakeAndDetach);
+    if (analysis.critical) Count(passage, Measure::kCritical);
+    if (analysis.ambiguous) Count(passage, Measure::kAmbiguous);
+  }
+
+  void Try(int law, const Passage& passage, bool holds) {
+    Count(passage, Measure::kLawTried, 0, law);
+    if (!holds) Count(passage, Measure::kLawBroken, 0, law);
+  }
+
+  // Into `closed` by a translation; the laws of TransitionLaws() in their order.
+  void TryLaws(const Passage& passage, const FoundContacts& contacts, const Formation& closed) {
+    using enum DofIndex;
+    const bool from_singular = passage.before.singular, to_singular = passage.after.singular;
+    if (!from_singular && !to_singular) {
+      Try(0, passage, !AnyDirection(passage, [](DofIndex from, DofIndex to) {
+            return from != kMaintaining || to != kDetaching;
+          }));
+    }
+    if (!from_singular && to_singular) {
+      Try(1, passage, !AnyDirection(passage, [](DofIndex from, DofIndex to) {
+            return to == kSingularConstraining && from != kConstraining;
+          }));
+    }
+    if (from_singular && to_singular) Try(2, passage, KeepsSingular(contacts, closed));
+    if (Rises(passage)) Try(3, passage, from_singular);
+  }
+
+  // Whether at some singular contact's elements, or what bounds them, there is one in the end.
+  bool KeepsSingular(const FoundContacts& open, const Formation& closed) const {
+    for (size_t i = 0; i < open.elements.size(); ++i) {
+      if (!open.relation.contacts[i].singular()) continue;
+      const auto& [moving, fixed] = open.elements[i];
+      for (size_t j = 0; j < closed.elements.size(); ++j) {
+        if (closed.relation.contacts[j].singular() &&
+            InClosure(pair_.moving, closed.elements[j].first, moving) &&
+            InClosure(pair_.fixed, closed.elements[j].second, fixed))
+          return true;
+      }
+    }
+    return false;
+  }
+
+  const SolidPair& pair_;
+  size_t unit_;
+  TransitionPlace place_;                          // of the neighbours at hand
+  std::optional<std::pair<int, int>> dimensions_;  // of the open and the closed formation, of a translation
+  TransitionCount count_;
+};
+
+}  // namespace
+
+uint64_t TransitionCount::Count(const TallyKey& key) const {
+  const auto at = tallies.find(key);
+  return at == tallies.end() ? 0 : at->second.count;
+}
+
+const std::vector<TransitionLaw>& TransitionLaws() {
+  static const std::vector<TransitionLaw> laws = {
+      {"non-singular",
+       "Between non-singular relations, closing, only maintaining directions change, to detaching ones."},
+      {"into-singular",
+       "From a non-singular relation into a singular one, no maintaining or detaching direction becomes "
+       "singular constraining."},
+      {"singular-kept", "Between singular relations, closing, a singular contact stays one."},
+      {"constraint-rises", "A constraining DOF rises only where a singular relation is left."}};
+  return laws;
+}
+
+TransitionCount CountTransitions(const SolidPair& pair, size_t unit) { return Counter(pair, unit).Run(); }
+
+void Merge(TransitionCount* total, const TransitionCount& part) {
+  total->pairs += part.pairs;
+  total->cells += part.cells;
+  total->formations += part.formations;
+  total->uneven_cells += part.uneven_cells;
+  total->borders += part.borders;
+  total->tilts += part.tilts;
+  total->undecided_tilts += part.undecided_tilts;
+  for (const auto& [key, tally] : part.tallies) {
+    Tally& sum = total->tallies[key];
+    if (sum.count == 0 || tally.first.unit < sum.first.unit) sum.first = tally.first;
+    sum.count += tally.count;
+  }
+}
+
+PlacePoses PosesOf(const TransitionPlace& place) {
+  const algebra::Pose border{{}, place.border};
+  if (!place.turn) return {border, {{}, place.open}};
+  return {border, TurnedPose(place.border, *place.turn)};
+}
+
+}  // namespace tact::enumerators
