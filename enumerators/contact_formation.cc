@@ -61,7 +61,7 @@ class Search {
  private:
   struct Place {
     int pairs = kOverlap;  // index of the touching pairs
-    algebra::FoundContacts contacts;
+    algebra::ContactRelation relation;
     algebra::MotionDof dof;
   };
 
@@ -100,7 +100,6 @@ class Search {
   }
 
   void LookAtCells() {
-    algebra::MotionDofEngine engine;
     places_.resize(Blocks() * cells_.cells().size());
     std::map<ElementPairs, int> known;
     for (size_t i = 0; i < places_.size(); ++i) {
@@ -109,8 +108,8 @@ class Search {
       ++result_.cells;
       const auto [at, is_new] = known.emplace(PairsOf(found), static_cast<int>(known.size()));
       if (is_new) pairs_.push_back(at->first);
-      places_[i] = {at->second, std::move(found), {}};
-      places_[i].dof = engine.Compute(places_[i].contacts.relation);
+      places_[i] = {at->second, std::move(found.relation), {}};
+      places_[i].dof = engine_.Compute(places_[i].relation);
     }
   }
 
@@ -136,7 +135,7 @@ class Search {
       const size_t root = Root(i);
       if (root == i) {
         formation_[i] = result_.formations.size();
-        result_.formations.push_back({pairs_[places_[i].pairs], -1, {}, {}, {}, {}, 0, 0});
+        result_.formations.push_back({pairs_[places_[i].pairs], -1, {}, {}, {}, 0, false});
       }
       formation_[i] = formation_[root];
       Formation& formation = result_.formations[formation_[i]];
@@ -144,14 +143,23 @@ class Search {
       if (DimensionOf(i) <= formation.dimension) continue;
       formation.dimension = DimensionOf(i);
       formation.pose = PoseOf(i);
-      formation.relation = places_[i].contacts.relation;
-      formation.elements = places_[i].contacts.elements;
+      formation.relation = places_[i].relation;
       formation.dof = places_[i].dof;
     }
     for (size_t i = 0; i < places_.size(); ++i) {
       if (places_[i].pairs == kOverlap) continue;
       Formation& formation = result_.formations[formation_[i]];
-      formation.uneven_cells += places_[i].dof == formation.dof ? 0 : 1;
+      formation.uneven = formation.uneven || places_[i].dof != formation.dof;
+      if (formation.pose == PoseOf(i)) LookAround(i, &formation);
+    }
+  }
+
+  void LookAround(size_t i, Formation* formation) {
+    for (const Vector3& pose : cells_.OtherPoints(i % cells_.cells().size(), Offset(i))) {
+      const auto found = FindContacts(Transform(moving_, {{}, pose}), fixed_, 0);
+      if (found.penetration || PairsOf(found) != formation->pairs)
+        throw InvariantError("other elements touch at another point of a cell: " + ToString(pose));
+      formation->uneven = formation->uneven || engine_.Compute(found.relation) != formation->dof;
     }
   }
 
@@ -177,6 +185,7 @@ class Search {
   std::vector<Place> places_;
   std::vector<ElementPairs> pairs_;
   std::vector<size_t> parent_, formation_;
+  algebra::MotionDofEngine engine_;
   FormationComplex result_;
 };
 

@@ -27,11 +27,12 @@ struct Formation {
   ElementPairs pairs;  // empty: free
   int dimension = 0;   // of its set of translations
   algebra::Vector3 pose;
-  algebra::ContactRelation relation;                                    // at that pose
-  std::vector<std::pair<algebra::Element, algebra::Element>> elements;  // of each of its contacts
+  algebra::ContactRelation relation;  // at that pose
   algebra::MotionDof dof;
   size_t cells = 0;
-  size_t uneven_cells = 0;  // with other motion DOFs than at the pose
+  /// Somewhere else it has other motion DOFs: the elements that touch do not decide how their points lie. Looked at is
+  /// a point in each cell, and two more in the first of the largest.
+  bool uneven = false;
 };
 
 /// `border` is in the closure of `open`, here at these two poses.

@@ -22,8 +22,8 @@ int ToInt(const algebra::Rational& value) {
 Lattice3 PlaneOf(const algebra::Vector3& normal) {
   const algebra::Vector3 n = algebra::Primitive(normal);
   Lattice3 plane = {ToInt(n.x), ToInt(n.y), ToInt(n.z)};
-  const auto first = std::find_if(plane.begin(), plane.end(), [](int v) { return v != 0; });
-  if (*first < 0) {
+  const int first = plane[0] != 0 ? plane[0] : (plane[1] != 0 ? plane[1] : plane[2]);
+  if (first < 0) {
     for (int& v : plane) v = -v;
   }
   return plane;
@@ -136,6 +136,23 @@ algebra::Vector3 PoseCells::Point(size_t cell, const Lattice3& offset) const {
     return algebra::Rational(cells_[cell].point[i], denominator_) + algebra::Rational(offset[i]);
   };
   return {entry(0), entry(1), entry(2)};
+}
+
+std::array<algebra::Vector3, 2> PoseCells::OtherPoints(size_t cell, const Lattice3& offset) const {
+  std::vector<algebra::Vector3> corners;
+  for (const Side& side : closures_[cell]) {
+    if (cells_[side.cell].dimension != 0) continue;
+    const Lattice3& o = side.offset;
+    corners.push_back(Point(side.cell, {offset[0] + o[0], offset[1] + o[1], offset[2] + o[2]}));
+  }
+  if (corners.empty()) return {Point(cell, offset), Point(cell, offset)};
+  std::array<algebra::Vector3, 2> points;
+  const int n = static_cast<int>(corners.size());
+  for (int i = 0; i < n; ++i) {
+    points[0] = points[0] + algebra::Rational(2 * (i + 1), n * (n + 1)) * corners[static_cast<size_t>(i)];
+    points[1] = points[1] + algebra::Rational(2 * (n - i), n * (n + 1)) * corners[static_cast<size_t>(i)];
+  }
+  return points;
 }
 
 }  // namespace tact::enumerators

@@ -47,6 +47,8 @@ class PoseCells {
   /// The cells in the closure of one of the unit cube, itself left out.
   const std::vector<Side>& Closure(size_t cell) const { return closures_[cell]; }
   algebra::Vector3 Point(size_t cell, const Lattice3& offset) const;
+  /// Two more points of the cell, in general position there: its corners with weights 1, 2, ... and ..., 2, 1.
+  std::array<algebra::Vector3, 2> OtherPoints(size_t cell, const Lattice3& offset) const;
 
  private:
   Cell CellAt(const Lattice3& point) const;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "algebra/contact/direction_limit.h"
+#include "algebra/contact/approach.h"
 
 namespace tact::enumerators {
 namespace {
@@ -60,22 +60,6 @@ bool Rises(const Passage& passage) {
          passage.after.rotation.constraining > passage.before.rotation.constraining;
 }
 
-// The element and those that bound it.
-bool InClosure(const Polyhedron& solid, const algebra::Element& part, const algebra::Element& whole) {
-  using algebra::ElementKind;
-  if (part == whole) return true;
-  if (whole.kind == ElementKind::kVertex) return false;
-  if (whole.kind == ElementKind::kEdge) {
-    const algebra::Edge& e = solid.edges[whole.index];
-    return part.kind == ElementKind::kVertex && (part.index == e.tail || part.index == e.head);
-  }
-  const algebra::Face& face = solid.faces[whole.index];
-  const auto& loops = part.kind == ElementKind::kVertex ? face.loops : face.loop_edges;
-  return part.kind != ElementKind::kFace && std::any_of(loops.begin(), loops.end(), [&](const auto& loop) {
-           return std::find(loop.begin(), loop.end(), part.index) != loop.end();
-         });
-}
-
 class Counter {
  public:
   Counter(const SolidPair& pair, size_t unit) : pair_(pair), unit_(unit) {}
@@ -86,24 +70,23 @@ class Counter {
     count_.cells = complex.cells;
     count_.formations = complex.formations.size();
     count_.borders = complex.borders.size();
-    for (const Formation& f : complex.formations) count_.uneven_cells += f.uneven_cells;
+    for (const Formation& f : complex.formations) count_.uneven_formations += f.uneven ? 1 : 0;
     for (const Border& border : complex.borders) {
       const Formation &open = complex.formations[border.open], &closed = complex.formations[border.border];
       place_ = {unit_, border.border_pose, border.open_pose, std::nullopt};
-      const MotionPath path = MotionPath::Line(border.open_pose - border.border_pose);
-      const FoundContacts contacts = FindContacts(Moved(border.open_pose), pair_.fixed, 0);
       dimensions_ = {open.dimension, closed.dimension};
-      AddBothWays(path, contacts, open.dof, closed, border.border_pose);
+      AddBothWays(MotionPath::Line(border.open_pose - border.border_pose),
+                  FindContacts(Moved(border.open_pose), pair_.fixed, 0), border.border_pose);
     }
     if (!pair_.turns) return std::move(count_);
     const TurnedContacts turned = FindTurnedContacts(pair_.moving, pair_.fixed, complex);
     count_.tilts = turned.found.size();
     count_.undecided_tilts = turned.undecided;
     for (const TurnedContact& tilt : turned.found) {
-      const Formation& closed = complex.formations[tilt.border];
-      place_ = {unit_, closed.pose, closed.pose, tilt.turn};
+      const algebra::Vector3& pose = complex.formations[tilt.border].pose;
+      place_ = {unit_, pose, pose, tilt.turn};
       dimensions_.reset();
-      AddBothWays(PathOf(tilt.turn), tilt.contacts, tilt.dof, closed, closed.pose);
+      AddBothWays(PathOf(tilt.turn), tilt.contacts, pose);
     }
     return std::move(count_);
   }
@@ -111,20 +94,25 @@ class Counter {
  private:
   Polyhedron Moved(const algebra::Vector3& pose) const { return Transform(pair_.moving, {{}, pose}); }
 
-  void AddBothWays(const MotionPath& path, const FoundContacts& contacts, const MotionDof& open,
-                   const Formation& closed, const algebra::Vector3& border_pose) {
-    const auto limits = LimitDirections(Moved(border_pose), pair_.fixed, path, contacts);
+  // `contacts` are those that the motion keeps, at its far end.
+  void AddBothWays(const MotionPath& path, const FoundContacts& contacts,
+                   const algebra::Vector3& border_pose) {
+    const Polyhedron moving = Moved(border_pose);
+    const algebra::ContactRelation relation = FindContacts(moving, pair_.fixed, 0).relation;
+    const algebra::Approach approach = ApproachEnd(moving, pair_.fixed, path, contacts);
+    const MotionDof open = engine_.Compute(approach.relation), closed = engine_.Compute(relation);
     std::array<DofPairing, 2> closing{}, opening{};
     for (size_t i = 0; i < kMotions.size(); ++i) {
-      closing[i] = PairByDirection(limits[i], FilterDirections(closed.relation, kMotions[i]));
+      closing[i] = PairByDirection(approach.directions[i], FilterDirections(relation, kMotions[i]));
       opening[i] = Transposed(closing[i]);
     }
     const int lost = dimensions_ ? dimensions_->first - dimensions_->second : 0;
-    Add({lost, false, open, closed.dof, closing});
-    Add({lost, true, closed.dof, open, opening});
-    if (lost > 0) TryLaws({lost, false, open, closed.dof, closing}, contacts, closed);
-    if (lost > 0 && Rises({lost, true, closed.dof, open, opening}))
-      Try(3, {lost, true, closed.dof, open, opening}, closed.dof.singular);
+    const Passage into{lost, false, open, closed, closing}, out{lost, true, closed, open, opening};
+    Add(into);
+    Add(out);
+    if (lost == 0) return;
+    TryLaws(into, open.singular);
+    TryLaws(out, open.singular);
   }
 
   void Count(const Passage& passage, Measure measure, int motion = 0, int from = 0, int to = 0) {
@@ -188,43 +176,33 @@ class Counter {
     if (!holds) Count(passage, Measure::kLawBroken, 0, law);
   }
 
-  // Into `closed` by a translation; the laws of TransitionLaws() in their order.
-  void TryLaws(const Passage& passage, const FoundContacts& contacts, const Formation& closed) {
+  // The laws of TransitionLaws() in their order; `kept_singular`: the relation that the motion keeps is.
+  void TryLaws(const Passage& passage, bool kept_singular) {
     using enum DofIndex;
     const bool from_singular = passage.before.singular, to_singular = passage.after.singular;
-    if (!from_singular && !to_singular) {
+    if (!passage.opens && !from_singular && !to_singular) {
       Try(0, passage, !AnyDirection(passage, [](DofIndex from, DofIndex to) {
             return from != kMaintaining || to != kDetaching;
           }));
     }
-    if (!from_singular && to_singular) {
+    if (!passage.opens && !from_singular && to_singular) {
       Try(1, passage, !AnyDirection(passage, [](DofIndex from, DofIndex to) {
             return to == kSingularConstraining && from != kConstraining;
           }));
     }
-    if (from_singular && to_singular) Try(2, passage, KeepsSingular(contacts, closed));
-    if (Rises(passage)) Try(3, passage, from_singular);
-  }
-
-  // Whether at some singular contact's elements, or what bounds them, there is one in the end.
-  bool KeepsSingular(const FoundContacts& open, const Formation& closed) const {
-    for (size_t i = 0; i < open.elements.size(); ++i) {
-      if (!open.relation.contacts[i].singular()) continue;
-      const auto& [moving, fixed] = open.elements[i];
-      for (size_t j = 0; j < closed.elements.size(); ++j) {
-        if (closed.relation.contacts[j].singular() &&
-            InClosure(pair_.moving, closed.elements[j].first, moving) &&
-            InClosure(pair_.fixed, closed.elements[j].second, fixed))
-          return true;
-      }
+    if (AnyDirection(passage, [](DofIndex from, DofIndex to) {
+          return from >= kSingularMaintaining && to >= kSingularMaintaining;
+        })) {
+      Try(2, passage, kept_singular);
     }
-    return false;
+    if (Rises(passage)) Try(3, passage, from_singular);
   }
 
   const SolidPair& pair_;
   size_t unit_;
   TransitionPlace place_;                          // of the neighbours at hand
   std::optional<std::pair<int, int>> dimensions_;  // of the open and the closed formation, of a translation
+  algebra::MotionDofEngine engine_;
   TransitionCount count_;
 };
 
@@ -242,7 +220,9 @@ const std::vector<TransitionLaw>& TransitionLaws() {
       {"into-singular",
        "From a non-singular relation into a singular one, no maintaining or detaching direction becomes "
        "singular constraining."},
-      {"singular-kept", "Between singular relations, closing, a singular contact stays one."},
+      {"singular-kept",
+       "A direction goes from one singular kind to another only along a motion that keeps a "
+       "singular contact."},
       {"constraint-rises", "A constraining DOF rises only where a singular relation is left."}};
   return laws;
 }
@@ -253,7 +233,7 @@ void Merge(TransitionCount* total, const TransitionCount& part) {
   total->pairs += part.pairs;
   total->cells += part.cells;
   total->formations += part.formations;
-  total->uneven_cells += part.uneven_cells;
+  total->uneven_formations += part.uneven_formations;
   total->borders += part.borders;
   total->tilts += part.tilts;
   total->undecided_tilts += part.undecided_tilts;

@@ -63,7 +63,7 @@ struct Tally {
 };
 
 struct TransitionCount {
-  uint64_t pairs = 0, cells = 0, formations = 0, uneven_cells = 0, borders = 0, tilts = 0,
+  uint64_t pairs = 0, cells = 0, formations = 0, uneven_formations = 0, borders = 0, tilts = 0,
            undecided_tilts = 0;
   std::map<TallyKey, Tally> tallies;
 

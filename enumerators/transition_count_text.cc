@@ -90,8 +90,9 @@ class Reader {
 std::string ToText(const TransitionCount& count) {
   Writer out;
   out.Add(kVersion);
-  for (const uint64_t value : {count.pairs, count.cells, count.formations, count.uneven_cells, count.borders,
-                               count.tilts, count.undecided_tilts, uint64_t{count.tallies.size()}})
+  for (const uint64_t value :
+       {count.pairs, count.cells, count.formations, count.uneven_formations, count.borders, count.tilts,
+        count.undecided_tilts, uint64_t{count.tallies.size()}})
     out.AddCount(value);
   for (const auto& [key, tally] : count.tallies) {
     for (const int value : {static_cast<int>(key.measure), key.lost_dimensions, key.opens ? 1 : 0, key.motion,
@@ -114,8 +115,8 @@ TransitionCount FromText(const std::string& text) {
   Reader in(text);
   if (in.Next() != kVersion) Reader::Refuse("another version");
   TransitionCount count;
-  for (uint64_t* value : {&count.pairs, &count.cells, &count.formations, &count.uneven_cells, &count.borders,
-                          &count.tilts, &count.undecided_tilts})
+  for (uint64_t* value : {&count.pairs, &count.cells, &count.formations, &count.uneven_formations,
+                          &count.borders, &count.tilts, &count.undecided_tilts})
     *value = in.NextCount();
   const uint64_t tallies = in.NextCount();
   for (uint64_t i = 0; i < tallies; ++i) {

@@ -79,11 +79,8 @@ class Search {
           FollowPath(turned, fixed_, MotionPath::Rotation(center, AxisVector(axis, -turn.tangent)));
       decided = !path.event || path.event->parameter.is_rational();
       if (path.event) continue;
-      const algebra::MotionDof dof = ComputeMotionDof(open.relation);
-      decided = dof == ComputeMotionDof(path.middle.relation);
-      if (!decided) continue;
       known_.insert(std::move(pairs));
-      result_.found.push_back({border, turn, std::move(open), dof});
+      result_.found.push_back({border, turn, std::move(open)});
       return;
     }
     result_.undecided += decided ? 0 : 1;

@@ -29,12 +29,11 @@ struct TurnedContact {
   size_t border = 0;  // formation that turning back leads into
   Turn turn;
   algebra::FoundContacts contacts;  // of the tilted solid
-  algebra::MotionDof dof;
 };
 
 struct TurnedContacts {
   std::vector<TurnedContact> found;  // by border, then as tried
-  size_t undecided = 0;  // tilts whose path has an irrational event, or motion DOFs that differ on the way
+  size_t undecided = 0;              // tilts whose path has an irrational event
 };
 
 TurnedContacts FindTurnedContacts(const algebra::Polyhedron& moving, const algebra::Polyhedron& fixed,

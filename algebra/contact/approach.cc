@@ -1,4 +1,4 @@
-#include "algebra/contact/direction_limit.h"
+#include "algebra/contact/approach.h"
 
 #include <algorithm>
 #include <optional>
@@ -133,17 +133,22 @@ Vector3 Along(const Polyhedron& solid, size_t e) {
   return solid.vertices[solid.edges[e].head].point - solid.vertices[solid.edges[e].tail].point;
 }
 
-// The rows of non-singular contacts as polynomials.
-class RowLaws {
+// A plane at a point, along the path.
+struct PlaneLaw {
+  PointLaw at;
+  PolynomialVector normal;  // as the plane's, up to a positive factor
+
+  // [ p x n | n ] up to a positive factor.
+  std::array<PolynomialVector, 2> Row() const { return {Cross(at.point, normal), at.weight * normal}; }
+};
+
+class PlaneLaws {
  public:
-  RowLaws(const Polyhedron& moving, const Polyhedron& fixed, const MotionPath& path)
+  PlaneLaws(const Polyhedron& moving, const Polyhedron& fixed, const MotionPath& path)
       : moving_(moving), fixed_(fixed), path_(path), carrier_(path) {}
 
-  // [ p x n | n ] up to a factor.
-  std::array<PolynomialVector, 2> RowOf(const Contact& contact, const std::pair<Element, Element>& elements) {
-    const PolynomialVector normal = NormalLaw(contact.planes[0], elements);
-    const PointLaw at = Locate(elements);
-    return {Cross(at.point, normal), at.weight * normal};
+  PlaneLaw Of(const Vector3& normal, const std::pair<Element, Element>& elements) {
+    return {Locate(elements), NormalLaw(normal, elements)};
   }
 
  private:
@@ -180,6 +185,7 @@ class RowLaws {
     if (laws.size() > 1) KeepThoseAtHalf(elements, &laws);
     if (laws.size() != 1)
       throw InvariantError("the normal of " + ToString(elements.first) + " on " + ToString(elements.second));
+    if (Dot(ValueAt(laws[0], 1), normal).sign() < 0) return Polynomial{-1} * laws[0];
     return laws[0];
   }
 
@@ -189,10 +195,10 @@ class RowLaws {
     if (!at_half_) at_half_ = FindContacts(Transform(moving_, path_.At(half)), fixed_, 0);
     std::erase_if(*laws, [&](const PolynomialVector& law) {
       for (size_t i = 0; i < at_half_->elements.size(); ++i) {
-        const Contact& contact = at_half_->relation.contacts[i];
-        if (at_half_->elements[i] == elements && !contact.singular() &&
-            Parallel(ValueAt(law, half), contact.planes[0]))
-          return false;
+        if (at_half_->elements[i] != elements) continue;
+        for (const Vector3& plane : at_half_->relation.contacts[i].planes) {
+          if (Parallel(ValueAt(law, half), plane)) return false;
+        }
       }
       return true;
     });
@@ -283,6 +289,27 @@ class LimitSpace {
   std::vector<PolynomialVector> rows_;  // independent at s = 0
 };
 
+// The sum of a row's coefficients, made integers without a common factor, in absolute value.
+Integer SizeOf(const std::array<PolynomialVector, 2>& row) {
+  std::vector<Rational> coefficients;
+  for (const PolynomialVector& part : row) {
+    for (const Polynomial& p : part) coefficients.insert(coefficients.end(), p.begin(), p.end());
+  }
+  Integer sum = 0;
+  for (const Integer& c : Primitive(coefficients)) sum += Abs(c);
+  return sum;
+}
+
+// Below every positive root of every minor of the rows.
+Rational NearTheEnd(const std::vector<std::array<PolynomialVector, 2>>& rows) {
+  std::vector<Integer> sizes;
+  for (const auto& row : rows) sizes.push_back(SizeOf(row));
+  std::sort(sizes.rbegin(), sizes.rend());
+  Integer bound = 2;
+  for (size_t i = 0; i < std::min<size_t>(6, sizes.size()); ++i) bound *= sizes[i];
+  return {1, bound};
+}
+
 std::vector<char> Vanishing(const std::vector<std::vector<Integer>>& rows, size_t columns) {
   IntegerMatrix matrix(0, columns);
   for (const auto& row : rows) matrix.AppendRow(std::span(row).last(columns));
@@ -294,30 +321,46 @@ std::vector<char> Vanishing(const std::vector<std::vector<Integer>>& rows, size_
 
 }  // namespace
 
-std::array<DirectionFiltration, 2> LimitDirections(const Polyhedron& moving, const Polyhedron& fixed,
-                                                   const MotionPath& path, const FoundContacts& contacts) {
-  RowLaws laws(moving, fixed, path);
-  std::vector<std::array<PolynomialVector, 2>> rows;
-  std::vector<std::vector<Integer>> values;
+Approach ApproachEnd(const Polyhedron& moving, const Polyhedron& fixed, const MotionPath& path,
+                     const FoundContacts& contacts) {
+  PlaneLaws laws(moving, fixed, path);
+  std::vector<std::array<PolynomialVector, 2>> rows;  // of all planes, in their order
+  std::vector<PlaneLaw> planes;
   for (size_t i = 0; i < contacts.elements.size(); ++i) {
-    const Contact& contact = contacts.relation.contacts[i];
-    if (contact.singular()) continue;
-    rows.push_back(laws.RowOf(contact, contacts.elements[i]));
-    values.push_back(ContactRow(contact.point, contact.planes[0]));
+    for (const Vector3& plane : contacts.relation.contacts[i].planes) {
+      planes.push_back(laws.Of(plane, contacts.elements[i]));
+      rows.push_back(planes.back().Row());
+    }
   }
-  std::array<DirectionFiltration, 2> result;
-  for (const Motion motion : {Motion::kTranslation, Motion::kRotation}) {
-    const bool translation = motion == Motion::kTranslation;
-    DirectionFiltration& filtration = result[translation ? 0 : 1];
+  const Rational s = NearTheEnd(rows);
+  Approach result;
+  std::vector<std::array<PolynomialVector, 2>> single;  // of non-singular contacts
+  std::vector<std::vector<Integer>> values;             // likewise
+  size_t next = 0;
+  for (const Contact& contact : contacts.relation.contacts) {
+    Contact& near = result.relation.contacts.emplace_back();
+    near.name = contact.name;
+    const PointLaw& at = planes[next].at;
+    near.point = Rational(1) / ValueAt(at.weight, s) * ValueAt(at.point, s);
+    for (size_t k = 0; k < contact.planes.size(); ++k)
+      near.planes.push_back(algebra::Primitive(ValueAt(planes[next + k].normal, s)));
+    if (!contact.singular()) {
+      single.push_back(rows[next]);
+      values.push_back(ContactRow(near.point, near.planes[0]));
+    }
+    next += contact.planes.size();
+  }
+  for (const size_t columns : {size_t{3}, size_t{6}}) {
+    DirectionFiltration& filtration = result.directions[columns == 3 ? 0 : 1];
     filtration.singular = contacts.relation.singular();
-    const std::vector<char> vanishing = Vanishing(values, translation ? 3 : 6);
+    const std::vector<char> vanishing = Vanishing(values, columns);
     for (size_t step = 0; step < 2; ++step) {
       std::vector<std::array<PolynomialVector, 2>> chosen;
-      for (size_t i = 0; i < rows.size(); ++i) {
-        if (step == 0 || vanishing[i] != 0) chosen.push_back(rows[i]);
+      for (size_t i = 0; i < single.size(); ++i) {
+        if (step == 0 || vanishing[i] != 0) chosen.push_back(single[i]);
       }
       LimitSpace limit;
-      if (translation) {
+      if (columns == 3) {
         for (const auto& row : chosen) limit.Add(row[1]);
       } else {
         for (const auto& row : EliminateLinear(chosen)) limit.Add(row);
