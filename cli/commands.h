@@ -3,6 +3,7 @@
 /// Errors  InputError for bad input and for output that cannot be written.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,17 @@ struct VerifyOptions {
   std::string directory = "report";
 };
 
+struct EnumerateOptions {
+  std::string world = "corner";  // enumerators::WorldNames
+  long long contacts = 7;        // in a relation, at most
+  bool json = false, csv = false;
+  std::string directory;             // of the run and its results; empty: nothing is kept
+  std::optional<long long> threads;  // none: as many as there are cores
+  std::string shard = "1/1";         // which part of the run: i/n
+  std::vector<std::string> from;     // directories of the same run whose units are taken over
+  bool yes = false;                  // however long it takes
+};
+
 /// Motion DOFs of each contact relation of a file.
 ExitStatus RunDof(const FileOptions& options);
 /// Contact modes of each contact relation of a file.
@@ -41,5 +53,7 @@ ExitStatus RunContacts(const ContactsOptions& options);
 ExitStatus RunRecognize(const FileOptions& options);
 /// The ledger of claims on trial; writes the report.
 ExitStatus RunVerify(const VerifyOptions& options);
+/// The exact list of DOF classes, with witnesses from a finite world.
+ExitStatus RunEnumerateDofClasses(const EnumerateOptions& options);
 
 }  // namespace tact::cli

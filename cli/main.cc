@@ -1,6 +1,7 @@
 // Reads the arguments, runs a command, and is the one place that catches.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <exception>
 #include <functional>
 #include <iostream>
@@ -45,6 +46,29 @@ constexpr const char* kVerifyHelp =
     "programs and certificates/, which tact-check re-checks on its own.\n"
     "Example: tact verify --only 'thesis.2.8.2.*' -o peg_report";
 
+constexpr const char* kEnumerateHelp =
+    "Enumerates all kinds of something, with a count and a smallest witness of each. A run can be cut short "
+    "at any\n"
+    "moment: with -o DIR the same command goes on where it was. Parts of it may run elsewhere, too:\n"
+    "  tact enumerate dof-classes --world cube --contacts 9 -o part1 --shard 1/2\n"
+    "  tact enumerate dof-classes --world cube --contacts 9 -o part2 --shard 2/2\n"
+    "  tact enumerate dof-classes --world cube --contacts 9 -o all --from part1 --from part2\n"
+    "Whatever the shards, threads and interruptions, the results are the same, byte for byte.\n"
+    "Example: tact enumerate dof-classes --json";
+
+constexpr const char* kDofClassesHelp =
+    "The motion DOFs that contact relations can have, for each choice of indices that tell two relations "
+    "apart.\n"
+    "What cannot occur is excluded by proof; for what can, a witness is searched among all sets of at most "
+    "so\n"
+    "many contacts of a small world:\n"
+    "  corner    chosen to have a witness of every class\n"
+    "  cube      corners of a cube, normals along the axes\n"
+    "  axis      points of {-1, 0, 1}^3, normals along the axes\n"
+    "  diagonal  the same points, normals of entries -1, 0, 1\n"
+    "DIR gets index.html, classes.json and classes.csv; its folder work keeps what is computed.\n"
+    "Example: tact enumerate dof-classes --world cube --contacts 8 -o classes";
+
 std::string CommandNames(const CLI::App& app) {
   std::string names;
   for (const CLI::App* command : app.get_subcommands({}))
@@ -63,6 +87,7 @@ struct Request {
   FileOptions file;
   ContactsOptions contacts;
   VerifyOptions verify;
+  EnumerateOptions enumerate;
   std::function<ExitStatus()> run;
 };
 
@@ -104,6 +129,45 @@ void AddVerifyCommand(CLI::App& app, Request& request) {
   parser->callback([&request] { request.run = [&request] { return RunVerify(request.verify); }; });
 }
 
+// What every run in units takes.
+void AddRunOptions(CLI::App& parser, EnumerateOptions& options) {
+  const CLI::Validator named(
+      [](const std::string& folder) { return folder.empty() ? "expected a folder, got no name" : ""; }, "");
+  parser.add_option("-o,--output", options.directory, "folder of the run and its results")->check(named);
+  parser.add_option("--threads", options.threads, "threads; as many as there are cores if not given");
+  parser.add_option("--shard", options.shard, "compute only part i of n, written i/n")->capture_default_str();
+  parser.add_option("--from", options.from, "folder of the same run whose finished units are taken over")
+      ->allow_extra_args(false)
+      ->check(named);
+  parser.add_flag("--yes", options.yes, "start however long it takes");
+}
+
+void AddEnumerateCommand(CLI::App& app, Request& request) {
+  CLI::App* parser =
+      app.add_subcommand("enumerate", "All kinds of something, each with a count and a smallest witness");
+  parser->footer(kEnumerateHelp);
+  parser->require_subcommand(0, 1);
+  parser->callback([parser] {
+    if (!parser->get_subcommands().empty()) return;
+    throw CLI::RequiredError("expected what to enumerate, one of " + CommandNames(*parser) + ", got none",
+                             CLI::ExitCodes::RequiredError);
+  });
+  EnumerateOptions& options = request.enumerate;
+  CLI::App* classes =
+      parser->add_subcommand("dof-classes", "The motion DOFs that contact relations can have: an exact list");
+  classes->footer(kDofClassesHelp);
+  classes
+      ->add_option("--world", options.world, "where witnesses are searched: corner, cube, axis or diagonal")
+      ->capture_default_str();
+  classes->add_option("--contacts", options.contacts, "contacts in a relation, at most")
+      ->capture_default_str();
+  CLI::Option* json = classes->add_flag("--json", options.json, "answer in JSON");
+  classes->add_flag("--csv", options.csv, "answer with a line a class")->excludes(json);
+  AddRunOptions(*classes, options);
+  classes->callback(
+      [&request] { request.run = [&request] { return RunEnumerateDofClasses(request.enumerate); }; });
+}
+
 void AddCommands(CLI::App& app, Request& request) {
   AddFileCommand(app, request, "dof", "Motion DOFs of contact relations", "FILE",
                  std::string(kRelationHelp) + "Example: tact dof edge_on_face.json --json", RunDof);
@@ -113,6 +177,7 @@ void AddCommands(CLI::App& app, Request& request) {
   AddFileCommand(app, request, "recognize", "A demonstration's contact relations, transitions and sub-skills",
                  "DEMO", kRecognizeHelp, RunRecognize);
   AddVerifyCommand(app, request);
+  AddEnumerateCommand(app, request);
 }
 
 int ReportUsage(const std::string& message, const std::string& command = "") {
@@ -124,7 +189,9 @@ int ReportUsage(const std::string& message, const std::string& command = "") {
 // The command whose arguments are wrong, if one was named.
 std::string NamedCommand(const CLI::App& app) {
   const auto named = app.get_subcommands();
-  return named.empty() ? "" : named.front()->get_name();
+  if (named.empty()) return "";
+  const std::string further = NamedCommand(*named.front());
+  return named.front()->get_name() + (further.empty() ? "" : " " + further);
 }
 
 int Run(int argc, char** argv) {
@@ -154,6 +221,7 @@ int Run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace tact;
+  std::signal(SIGXFSZ, SIG_IGN);  // a file over its limit is a write that fails
   std::ios::sync_with_stdio(false);
   try {
     return cli::Run(argc, argv);

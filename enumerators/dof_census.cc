@@ -79,11 +79,19 @@ std::vector<size_t> DofCensus::Unrank(uint64_t rank) const {
 DofCounts DofCensus::CountUnit(size_t unit) const {
   if (unit >= units())
     throw PreconditionError("no unit " + std::to_string(unit) + " of " + std::to_string(units()));
-  const uint64_t first = unit * kUnitSize, last = std::min(relations_, first + kUnitSize);
+  return CountRange(unit * kUnitSize, std::min(relations_, (unit + 1) * kUnitSize));
+}
+
+DofCounts DofCensus::CountRange(uint64_t first, uint64_t last) const {
+  if (first > last || last > relations_) {
+    throw PreconditionError("no relations " + std::to_string(first) + " to " + std::to_string(last) + " of " +
+                            std::to_string(relations_));
+  }
+  DofCounts counts;
+  if (first == last) return counts;
   std::vector<size_t> set = Unrank(first);
   algebra::MotionDofEngine engine;
   std::vector<int64_t> rows;
-  DofCounts counts;
   for (uint64_t rank = first; rank < last; ++rank) {
     rows.clear();
     for (const size_t i : set) rows.insert(rows.end(), rows_.begin() + 6 * i, rows_.begin() + 6 * i + 6);

@@ -38,6 +38,8 @@ class DofCensus {
 
   /// The relations from unit * kUnitSize on. PreconditionError: no such unit.
   DofCounts CountUnit(size_t unit) const;
+  /// The relations from number `first` up to and without number `last`. PreconditionError: there are fewer.
+  DofCounts CountRange(uint64_t first, uint64_t last) const;
   /// Adds the part's counts; of two witnesses the one that comes first stays.
   static void Merge(DofCounts& total, const DofCounts& part);
   /// The whole census on this thread.

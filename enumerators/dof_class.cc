@@ -168,6 +168,24 @@ std::vector<MotionDof> BoxClasses() {
   return classes;
 }
 
+std::vector<MotionDof> SingularClasses() {
+  std::vector<MotionDof> classes;
+  for (MotionDof dof : DofClasses()) {
+    dof.singular = true;
+    const int translation = dof.translation.restricted, rotation = dof.rotation.restricted;
+    for (int rt = std::max(2, translation); rt <= 3; ++rt) {
+      for (int rr = rotation; rr <= 3; ++rr) {
+        dof.translation.restricted = rt;
+        dof.rotation.restricted = rr;
+        dof.all.restricted = rt + rr;
+        classes.push_back(dof);
+      }
+    }
+  }
+  std::sort(classes.begin(), classes.end());
+  return classes;
+}
+
 size_t CountDistinct(const std::vector<MotionDof>& dofs, const DofDefinition& definition) {
   std::set<std::vector<int>> values;
   for (const MotionDof& dof : dofs) values.insert(IndexValues(dof, definition));

@@ -45,6 +45,9 @@ std::optional<size_t> ExcludingLemma(const algebra::MotionDof& candidate);
 std::vector<algebra::MotionDof> DofClasses();
 /// Those of solids whose faces are all parallel to coordinate planes, 139.
 std::vector<algebra::MotionDof> BoxClasses();
+/// Those of singular relations, 396: the DOFs of the other contacts are among the 142, and the restricted DOFs are at least
+/// theirs, with two in translation, and at most three each.
+std::vector<algebra::MotionDof> SingularClasses();
 /// How many of the DOFs the definition tells apart.
 size_t CountDistinct(const std::vector<algebra::MotionDof>& dofs, const DofDefinition& definition);
 

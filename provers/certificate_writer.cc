@@ -189,11 +189,11 @@ Certificate CensusCertificate(const std::string& name, const std::string& claim,
   return Finish(name, certificate);
 }
 
-Certificate DofClassesCertificate(const std::string& name, const std::string& claim, Faces faces,
+Certificate DofClassesCertificate(const std::string& name, const std::string& claim, ClassList list,
                                   const std::vector<ContactRelation>& witnesses,
-                                  const std::vector<enumerators::DofDefinition>& counted, bool fewest) {
+                                  const std::vector<enumerators::DofDefinition>& counted) {
   Json certificate = Head(claim, "dof-classes");
-  certificate["faces"] = faces == Faces::kAny ? "any" : "axis-parallel";
+  certificate["faces"] = list == ClassList::kAxisParallelFaces ? "axis-parallel" : "any";
   Json classes = Json::array(), counts = Json::array();
   std::vector<MotionDof> dofs;
   size_t touching = 0;
@@ -207,7 +207,8 @@ Certificate DofClassesCertificate(const std::string& name, const std::string& cl
   certificate["classes"] = classes;
   certificate["counts"] = counts;
   certificate["touching"] = touching;
-  if (fewest) certificate["fewest"] = true;
+  if (list == ClassList::kAnyFaces) certificate["fewest"] = true;
+  if (list == ClassList::kSingular) certificate["singular"] = true;
   return Finish(name, certificate);
 }
 

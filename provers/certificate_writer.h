@@ -40,11 +40,13 @@ Certificate MotionDofCertificate(const std::string& name, const std::string& cla
 Certificate CensusCertificate(const std::string& name, const std::string& claim,
                               const enumerators::ContactWorld& world, const std::vector<CensusClass>& classes,
                               const std::vector<Assertion>& asserts);
-/// The complete list of DOF classes of solids of any faces or of axis-parallel ones (docs/dof-classes.md), a witness each.
-enum class Faces { kAny, kAxisParallel };
-Certificate DofClassesCertificate(const std::string& name, const std::string& claim, Faces faces,
+/// Which complete list of DOF classes (docs/dof-classes.md): of solids of any faces, each witness with the fewest contacts; of
+/// axis-parallel ones; of singular relations with their restricted DOFs.
+enum class ClassList { kAnyFaces, kAxisParallelFaces, kSingular };
+/// A witness for each class of the list, and how many classes each definition tells apart.
+Certificate DofClassesCertificate(const std::string& name, const std::string& claim, ClassList list,
                                   const std::vector<algebra::ContactRelation>& witnesses,
-                                  const std::vector<enumerators::DofDefinition>& counted, bool fewest);
+                                  const std::vector<enumerators::DofDefinition>& counted);
 /// Transitions from each relation to the next; expects names transitions by their place in the sequence.
 Certificate TransitionsCertificate(
     const std::string& name, const std::string& claim,

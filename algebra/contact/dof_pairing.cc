@@ -100,4 +100,14 @@ std::vector<DofTransition> ForcedDofTransitions(const MotionDof& before, const M
   return transitions;
 }
 
+Transition AnalyzeTransition(const ContactRelation& before, const ContactRelation& after) {
+  const MotionDof a = ComputeMotionDof(before), b = ComputeMotionDof(after);
+  if (!IsAmbiguous(a, b)) return AnalyzeTransition(a, b);
+  Transition result = ApplyRules(a, b, DofTransitionsByDirection(before, after));
+  result.ambiguous = true;
+  result.why +=
+      " Several indices decrease and several increase: they are paired by the directions of motion.";
+  return result;
+}
+
 }  // namespace tact::algebra

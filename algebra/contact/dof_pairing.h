@@ -38,4 +38,7 @@ std::vector<DofTransition> DofTransitionsByDirection(const ContactRelation& befo
 /// Those that the counts alone force: in every way to pair what falls with what rises, the pair occurs.
 std::vector<DofTransition> ForcedDofTransitions(const MotionDof& before, const MotionDof& after);
 
+/// The rules of [thesis, 2.6]; where the counts leave a choice of pairs (`ambiguous`), on the DOF-transitions by direction.
+Transition AnalyzeTransition(const ContactRelation& before, const ContactRelation& after);
+
 }  // namespace tact::algebra

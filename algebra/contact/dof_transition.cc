@@ -1,6 +1,7 @@
 #include "algebra/contact/dof_transition.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace tact::algebra {
 namespace {
@@ -15,18 +16,15 @@ bool IsConstraining(DofIndex index) {
 
 class Analysis {
  public:
-  Analysis(const MotionDof& before, const MotionDof& after) : before_(before), after_(after) {}
+  Analysis(const MotionDof& before, const MotionDof& after, std::vector<DofTransition> dof_transitions)
+      : before_(before), after_(after) {
+    result_.dof_transitions = std::move(dof_transitions);
+  }
 
   Transition Run() {
-    for (const Motion motion : kMotions) ListDofTransitions(motion);
     for (const Motion motion : kMotions) SelectSubSkills(motion);
     for (const DofTransition& t : result_.dof_transitions) Judge(t);
     if (result_.sub_skills.empty()) Say("No rule selects a sub-skill: the motion is part of the next one.");
-    if (result_.ambiguous) {
-      Say("Several indices decrease and several increase: every pair of them is listed, since nothing says "
-          "which "
-          "belongs to which.");
-    }
     return result_;
   }
 
@@ -34,21 +32,6 @@ class Analysis {
   void Say(const std::string& sentence) {
     if (!result_.why.empty()) result_.why += " ";
     result_.why += sentence;
-  }
-
-  void ListDofTransitions(Motion motion) {
-    const auto before = Indices(before_, motion);
-    const auto after = Indices(after_, motion);
-    int falls = 0, rises = 0;
-    for (int a = 0; a < kDofIndices; ++a) {
-      falls += after[a] < before[a] ? 1 : 0;
-      rises += after[a] > before[a] ? 1 : 0;
-      for (int b = 0; b < kDofIndices; ++b) {
-        if (after[a] >= before[a] || after[b] <= before[b]) continue;
-        result_.dof_transitions.push_back({motion, static_cast<DofIndex>(a), static_cast<DofIndex>(b)});
-      }
-    }
-    result_.ambiguous = result_.ambiguous || (falls > 1 && rises > 1);
   }
 
   bool Appears(Motion motion, DofIndex from, DofIndex to) const {
@@ -157,8 +140,48 @@ int Restricted(const MotionDof& dof, Motion motion) {
   return motion == Motion::kTranslation ? dof.translation.restricted : dof.rotation.restricted;
 }
 
+std::vector<DofTransition> DofTransitionsByCounts(const MotionDof& before, const MotionDof& after) {
+  std::vector<DofTransition> transitions;
+  for (const Motion motion : kMotions) {
+    const auto a = Indices(before, motion), b = Indices(after, motion);
+    for (int from = 0; from < kDofIndices; ++from) {
+      for (int to = 0; to < kDofIndices; ++to) {
+        if (b[from] < a[from] && b[to] > a[to])
+          transitions.push_back({motion, static_cast<DofIndex>(from), static_cast<DofIndex>(to)});
+      }
+    }
+  }
+  return transitions;
+}
+
+bool IsAmbiguous(const MotionDof& before, const MotionDof& after) {
+  for (const Motion motion : kMotions) {
+    const auto a = Indices(before, motion), b = Indices(after, motion);
+    int falls = 0, rises = 0;
+    for (int i = 0; i < kDofIndices; ++i) {
+      falls += b[i] < a[i] ? 1 : 0;
+      rises += b[i] > a[i] ? 1 : 0;
+    }
+    if (falls > 1 && rises > 1) return true;
+  }
+  return false;
+}
+
+Transition ApplyRules(const MotionDof& before, const MotionDof& after,
+                      std::vector<DofTransition> dof_transitions) {
+  return Analysis(before, after, std::move(dof_transitions)).Run();
+}
+
 Transition AnalyzeTransition(const MotionDof& before, const MotionDof& after) {
-  return Analysis(before, after).Run();
+  Transition result = ApplyRules(before, after, DofTransitionsByCounts(before, after));
+  result.ambiguous = IsAmbiguous(before, after);
+  if (result.ambiguous) {
+    result.why +=
+        " Several indices decrease and several increase: every pair of them is listed, since nothing says "
+        "which "
+        "belongs to which.";
+  }
+  return result;
 }
 
 }  // namespace tact::algebra

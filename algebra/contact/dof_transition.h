@@ -2,7 +2,8 @@
 /// From two neighbouring contact relations' motion DOFs to DOF-transitions, sub-skills and criticality.
 /// Model   [thesis, 2.3-2.6]. Six indices for translation and six for rotation; a DOF-transition pairs an
 ///         index that decreases with one that increases. Where several indices decrease and several increase,
-///         the text does not say how they pair: every pair is listed (`ambiguous` says so).
+///         the text does not say how they pair: every pair is listed (`ambiguous` says so; dof_pairing.h pairs
+///         them by direction).
 #pragma once
 
 #include <array>
@@ -65,7 +66,17 @@ struct Transition {
 std::array<int, kDofIndices> Indices(const MotionDof& dof, Motion motion);
 int Restricted(const MotionDof& dof, Motion motion);
 
-/// The rules of [thesis, 2.6], literally.
+/// Every index that falls with every one that rises, by motion, from, to: literally [thesis, 2.3.1].
+std::vector<DofTransition> DofTransitionsByCounts(const MotionDof& before, const MotionDof& after);
+
+/// Whether in one motion several indices fall and several rise, so that counts alone do not pair them.
+bool IsAmbiguous(const MotionDof& before, const MotionDof& after);
+
+/// The rules of [thesis, 2.6] on the DOF-transitions given, which `ambiguous` says nothing about.
+Transition ApplyRules(const MotionDof& before, const MotionDof& after,
+                      std::vector<DofTransition> dof_transitions);
+
+/// The rules of [thesis, 2.6], literally: on DofTransitionsByCounts.
 Transition AnalyzeTransition(const MotionDof& before, const MotionDof& after);
 
 }  // namespace tact::algebra

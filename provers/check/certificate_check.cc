@@ -9,12 +9,13 @@
 namespace tact::check {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, void (*)(const Value&)>, 5> kKinds = {{
+constexpr std::array<std::pair<std::string_view, void (*)(const Value&)>, 6> kKinds = {{
     {"motion-dofs", CheckMotionDofs},
     {"transitions", CheckTransitions},
     {"basis", CheckBasis},
     {"ill-reduced-singular", CheckIllReducedSingular},
     {"dof-classes", CheckDofClasses},
+    {"motion-path", CheckMotionPath},
 }};
 constexpr std::array<std::string_view, 6> kCommonKeys = {"format", "version",   "claim",
                                                          "kind",   "statement", "note"};

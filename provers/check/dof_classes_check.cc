@@ -69,6 +69,30 @@ std::set<MotionNumbers> Classes(bool boxes) {
   return classes;
 }
 
+// Of singular relations: the DOFs of the contacts with one plane, and every restricted DOF that is possible when
+// planes are added, of which a singular contact has two directions at least.
+std::set<MotionNumbers> SingularClasses() {
+  std::set<MotionNumbers> classes;
+  for (MotionNumbers dof : Classes(false)) {
+    dof.singular = true;
+    const int translation = dof["translation.restricted"], rotation = dof["rotation.restricted"];
+    for (int rt = translation < 2 ? 2 : translation; rt <= 3; ++rt) {
+      for (int rr = rotation; rr <= 3; ++rr) {
+        dof["translation.restricted"] = rt;
+        dof["rotation.restricted"] = rr;
+        dof["all.restricted"] = rt + rr;
+        classes.insert(dof);
+      }
+    }
+  }
+  return classes;
+}
+
+bool ReadFlag(const Value& certificate, std::string_view key) {
+  const Value* flag = Find(certificate, key);
+  return flag != nullptr && AsBool(*flag);
+}
+
 bool ReadFaces(const Value& faces) {
   if (AsString(faces) == "axis-parallel") return true;
   if (AsString(faces) != "any") throw Refused(&faces, "expected \"any\" or \"axis-parallel\"");
@@ -111,16 +135,17 @@ void CheckCount(const Value& entry, const std::set<MotionNumbers>& classes) {
 }  // namespace
 
 void CheckDofClasses(const Value& certificate) {
-  ExpectCertificateKeys(certificate, {"faces", "classes", "counts", "touching"}, {"fewest"});
+  ExpectCertificateKeys(certificate, {"faces", "classes", "counts", "touching"}, {"fewest", "singular"});
   const bool boxes = ReadFaces(At(certificate, "faces"));
-  const Value* fewest = Find(certificate, "fewest");
-  const bool expects_fewest = fewest != nullptr && AsBool(*fewest);
-  const std::set<MotionNumbers> classes = Classes(boxes);
+  const bool expects_fewest = ReadFlag(certificate, "fewest"), singular = ReadFlag(certificate, "singular");
+  if (singular && (boxes || expects_fewest))
+    throw Refused(&certificate, "singular relations are listed for any faces and any number of contacts");
+  const std::set<MotionNumbers> classes = singular ? SingularClasses() : Classes(boxes);
   std::set<MotionNumbers> witnessed;
   unsigned long touching = 0;
   for (const Value& relation : AsArray(At(certificate, "classes"))) {
     const MotionNumbers dof = CheckRelation(relation);
-    if (dof.singular) throw Refused(&relation, "is singular");
+    if (dof.singular != singular) throw Refused(&relation, singular ? "is not singular" : "is singular");
     if (boxes) ExpectAxisParallel(relation);
     if (expects_fewest) ExpectFewest(relation, dof);
     if (!classes.contains(dof)) throw Refused(&relation, "has motion DOFs that a lemma excludes");

@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "provers/check/json_value.h"
 #include "provers/check/motion_numbers.h"
@@ -23,6 +24,9 @@ void CheckMotionDofs(const Value& certificate);
 /// Why the world was not counted again; empty if it was.
 std::string CheckCensus(const Value& certificate);
 void CheckTransitions(const Value& certificate);
+/// The members of `transitions` but its frame; the relations' motion DOFs, in order.
+std::vector<MotionNumbers> CheckRelationsAndTransitions(const Value& certificate);
+void CheckMotionPath(const Value& certificate);
 void CheckBasis(const Value& certificate);
 void CheckIllReducedSingular(const Value& certificate);
 void CheckDofClasses(const Value& certificate);

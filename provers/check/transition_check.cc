@@ -159,6 +159,10 @@ void CheckChanges(const Value& changes, const MotionNumbers& before, const Motio
 
 void CheckTransitions(const Value& certificate) {
   ExpectCertificateKeys(certificate, {"relations", "names", "transitions"}, {"expects"});
+  CheckRelationsAndTransitions(certificate);
+}
+
+std::vector<MotionNumbers> CheckRelationsAndTransitions(const Value& certificate) {
   std::vector<MotionNumbers> dofs;
   for (const Value& relation : AsArray(At(certificate, "relations"))) dofs.push_back(CheckRelation(relation));
   const Array& names = AsArray(At(certificate, "names"));
@@ -189,6 +193,7 @@ void CheckTransitions(const Value& certificate) {
       CheckChanges(At(expect, "changes"), dofs[from], dofs[to]);
     }
   }
+  return dofs;
 }
 
 }  // namespace tact::check

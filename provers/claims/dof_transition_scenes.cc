@@ -42,10 +42,16 @@ Piece Ceiling() { return Box({-3, -3, 4}, {3, 3, 5}); }
 // Its rim is the bar's bottom edge.
 Piece HalfFloor() { return Box({-3, 0, -1}, {3, 3, 0}); }
 
-// Four walls about the peg; the two at x, y = -1 end at the height `low`.
-std::vector<Piece> Hole(int low) {
-  return {Box({-3, -3, -4}, {-1, 3, low}), Box({-1, -3, -4}, {1, -1, low}), Box({1, -3, -4}, {3, 3, 6}),
-          Box({-1, 1, -4}, {1, 3, 6})};
+// Four posts about the peg, not joined; the two at x, y = -1 end at the height `low`.
+std::vector<Piece> Posts(int low) {
+  const Rational r(1, 2);
+  return {Box({-3, -r, -4}, {-1, r, low}), Box({-r, -3, -4}, {r, -1, low}), Box({1, -r, -4}, {3, r, 5}),
+          Box({-r, 1, -4}, {r, 3, 5})};
+}
+
+std::vector<Piece> With(std::vector<Piece> pieces, const std::vector<Piece>& more) {
+  pieces.insert(pieces.end(), more.begin(), more.end());
+  return pieces;
 }
 
 // The pieces stand where the motion ends.
@@ -95,14 +101,12 @@ std::vector<DofTransitionScene> DofTransitionScenes() {
        "A bar between two walls rises until both sides are at the walls' rims.",
        EndingAt({Bar()}, {Box({-3, -3, -1}, {3, -1, 2}), Box({-3, 1, -1}, {3, 3, 2})}, up)},
       {kConstraining, kSingularDetaching,
-       "A peg rises in a square hole until it is level with the rims of the two low walls.",
-       EndingAt({Peg()}, Hole(0), up)},
+       "A peg rises between four posts until it is level with the rims of the two low ones.",
+       EndingAt({Peg()}, Posts(0), up)},
       {kConstraining, kSingularConstraining,
-       "A peg rises in a square hole until the tip on its head meets a rim.",
+       "A peg rises between four posts until the tip on its head meets a rim.",
        EndingAt({Peg(), {{0, 0, 6}, {1, 1, 4}, {-1, 1, 4}, {-1, -1, 4}, {1, -1, 4}}},
-                {Box({-3, -3, -4}, {-1, 3, 6}), Box({-1, -3, -4}, {1, -1, 6}), Box({1, -3, -4}, {3, 3, 6}),
-                 Box({-1, 1, -4}, {1, 3, 6}), Box({0, -3, 6}, {3, 3, 7})},
-                up)},
+                With(Posts(5), {Box({0, -3, 6}, {3, 3, 7})}), up)},
       {kSingularMaintaining, kSingularDetaching,
        "With the tip of its arm on an upright edge, a bar comes down on the floor.",
        EndingAt({Bar(), tip_level}, {Floor(), Box({4, 0, 0}, {5, 2, 4})}, down)},
@@ -114,6 +118,10 @@ std::vector<DofTransitionScene> DofTransitionScenes() {
        "ceiling.",
        EndingAt({Bar(), tip_low}, {Floor(), Ceiling(), Box({4, -1, -1}, {5, 1, 0})}, Roll())},
   };
+}
+
+algebra::Scene RollIntoTheCorner() {
+  return EndingAt({Bar()}, {Floor(), Ceiling(), Box({-3, -3, 0}, {3, -1, 4})}, Roll());
 }
 
 }  // namespace tact::provers

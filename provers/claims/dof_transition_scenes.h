@@ -21,4 +21,8 @@ struct DofTransitionScene {
 /// In the order of the indices.
 std::vector<DofTransitionScene> DofTransitionScenes();
 
+/// A bar rolls on its bottom edge until its top edge meets the ceiling and its side a wall, both at once: a free direction
+/// becomes one-sided, a one-sided one is blocked, and the counts show a free one blocked.
+algebra::Scene RollIntoTheCorner();
+
 }  // namespace tact::provers

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <string_view>
 
+#include "provers/report/html.h"
 #include "provers/report/ledger_json.h"
 #include "provers/report/page.h"
 #include "provers/report/text.h"
@@ -50,41 +51,6 @@ std::string Prose(std::string_view text) {
   return html;
 }
 
-bool IsNumber(std::string_view cell) {
-  return !cell.empty() && cell.find_first_of("0123456789") != std::string_view::npos &&
-         cell.find_first_not_of("0123456789+-.,/%eE \u2212\u00B1\u202F") == std::string_view::npos;
-}
-
-// A column is set right if all its cells are numbers (or empty).
-std::vector<bool> NumericColumns(const Table& table) {
-  std::vector<bool> numeric(table.header.size(), !table.rows.empty());
-  for (const auto& row : table.rows) {
-    for (size_t i = 0; i < row.size() && i < numeric.size(); ++i) {
-      numeric[i] = numeric[i] && (row[i].empty() || IsNumber(row[i]));
-    }
-  }
-  return numeric;
-}
-
-std::string TableHtml(const Table& table) {
-  const std::vector<bool> numeric = NumericColumns(table);
-  const auto style = [&](size_t i) { return i < numeric.size() && numeric[i] ? " class=\"number\"" : ""; };
-  std::string html = fmt::format(
-      "<div class=\"scroll\" role=\"region\" aria-label=\"{0}\" "
-      "tabindex=\"0\"><table><caption>{0}</caption>\n<thead><tr>",
-      Escape(table.caption));
-  for (size_t i = 0; i < table.header.size(); ++i) {
-    html += fmt::format("<th scope=\"col\"{}>{}</th>", style(i), Escape(table.header[i]));
-  }
-  html += "</tr></thead>\n<tbody>\n";
-  for (const auto& row : table.rows) {
-    html += "<tr>";
-    for (size_t i = 0; i < row.size(); ++i) html += fmt::format("<td{}>{}</td>", style(i), Escape(row[i]));
-    html += "</tr>\n";
-  }
-  return html + "</tbody></table></div>\n";
-}
-
 std::string NumbersHtml(const Outcome& outcome) {
   if (outcome.numbers.empty()) return "";
   std::string html = "<table class=\"numbers\"><caption>Numbers</caption>\n<tbody>\n";
@@ -93,13 +59,6 @@ std::string NumbersHtml(const Outcome& outcome) {
                         GroupedDigits(value));
   }
   return html + "</tbody></table>\n";
-}
-
-std::string FigureHtml(const Figure& figure, const std::string& id) {
-  return fmt::format(
-      "<figure><div class=\"drawing\" role=\"img\" aria-labelledby=\"{0}\">{1}</div>"
-      "<figcaption id=\"{0}\">{2}</figcaption></figure>\n",
-      id, ValidUtf8(figure.svg), Escape(figure.caption));
 }
 
 std::string CertificatesHtml(const Outcome& outcome) {

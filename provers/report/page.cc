@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "provers/report/html.h"
 #include "provers/report/text.h"
 #include "provers/report/thesis_outline.h"
 
@@ -58,10 +59,6 @@ std::vector<Chapter> InThesisOrder(const std::vector<LedgerEntry>& entries) {
     sections.back().entries.push_back(entry);
   }
   return chapters;
-}
-
-std::string Plural(size_t count, const std::string& noun) {
-  return GroupedDigits(static_cast<long long>(count)) + " " + noun + (count == 1 ? "" : "s");
 }
 
 std::string Head(size_t claims, const Verdicts& verdicts) {
@@ -154,14 +151,9 @@ std::string Claims(const std::vector<Chapter>& chapters) {
 
 std::string ReportPage(const std::vector<LedgerEntry>& entries) {
   const std::vector<Chapter> chapters = InThesisOrder(entries);
-  std::string html =
-      "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n<head>\n<meta "
-      "charset=\"utf-8\"/>\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
-      "<title>tact: a thesis on trial</title>\n";
-  html += fmt::format("<style>\n{}</style>\n</head>\n<body>\n", kPageStyle);
-  html += Head(entries.size(), Count(entries)) + Contents(chapters) + Claims(chapters);
-  return html + fmt::format("<script>\n{}</script>\n</body>\n</html>\n", kPageScript);
+  return PageHtml("tact: a thesis on trial", Head(entries.size(), Count(entries)) + Contents(chapters) +
+                                                 Claims(chapters) +
+                                                 fmt::format("<script>\n{}</script>\n", kPageScript));
 }
 
 }  // namespace tact::provers

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "algebra/contact/dof_pairing.h"
+
 namespace tact::recognition {
 namespace {
 
@@ -26,7 +28,7 @@ void Append(SeenRelation next, Recognition& recognition) {
     return;
   }
   if (!relations.empty())
-    recognition.transitions.push_back(AnalyzeTransition(relations.back().dof, next.dof));
+    recognition.transitions.push_back(AnalyzeTransition(relations.back().relation, next.relation));
   relations.push_back(std::move(next));
 }
 

@@ -188,5 +188,11 @@ inline json Certificate(const std::string& name) { return json::parse(Text(name)
 inline const std::vector<std::string> kAll = {"edge_on_face", "opposed_points", "held_edge",
                                               "edge_on_edge", "free_object",    "census",
                                               "transitions",  "basis",          "ill_reduced_edges"};
+/// With those of motions, whose changed numbers tests/provers/path_certificate_test.cc tries against the engines.
+inline const std::vector<std::string> kAllAndPaths = [] {
+  std::vector<std::string> all = kAll;
+  all.insert(all.end(), {"tip_leaves", "face_lies_down"});
+  return all;
+}();
 
 }  // namespace tact::check::brute

@@ -285,13 +285,17 @@ inline bool IsAxisParallel(const json& relation) {
 }
 
 inline bool DofClassesAreRight(const json& c) {
-  const bool boxes = c["faces"] == "axis-parallel";
-  const auto classes = boxes ? enumerators::BoxClasses() : enumerators::DofClasses();
+  const bool boxes = c["faces"] == "axis-parallel", singular = c.value("singular", false);
+  if (singular && (boxes || c.value("fewest", false))) return false;
+  const auto classes = boxes      ? enumerators::BoxClasses()
+                       : singular ? enumerators::SingularClasses()
+                                  : enumerators::DofClasses();
   std::set<MotionDof> seen;
   size_t touching = 0;
   for (const json& relation : c["classes"]) {
     const auto dof = RightRelation(relation);
-    if (!dof || dof->singular || !seen.insert(*dof).second || (boxes && !IsAxisParallel(relation)))
+    if (!dof || dof->singular != singular || !seen.insert(*dof).second ||
+        (boxes && !IsAxisParallel(relation)))
       return false;
     const size_t contacts = relation["contacts"].size();
     if (c.value("fewest", false) && contacts != enumerators::FewestContacts(*dof)) return false;
@@ -304,6 +308,9 @@ inline bool DofClassesAreRight(const json& c) {
   return true;
 }
 
+/// In path_oracle.h.
+inline bool PathIsRight(const json& c);
+
 inline bool IsRight(const json& c) {
   if (c["version"] != 1) return false;
   const std::string kind = c["kind"];
@@ -312,9 +319,12 @@ inline bool IsRight(const json& c) {
   if (kind == "transitions") return TransitionsAreRight(c);
   if (kind == "basis") return BasisIsRight(c);
   if (kind == "ill-reduced-singular") return IllReducedIsRight(c);
+  if (kind == "motion-path") return PathIsRight(c);
   if (kind != "motion-dofs") return false;
   const auto dof = RightRelation(c["relation"]);
   return dof && AssertsHold(c, *dof);
 }
 
 }  // namespace tact::provers::oracle
+
+#include "tests/provers/path_oracle.h"

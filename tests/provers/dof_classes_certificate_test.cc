@@ -12,47 +12,46 @@ namespace {
 
 using nlohmann::json;
 
-json Complete(Faces faces) {
-  static std::map<Faces, json> known;
-  const auto [at, is_new] = known.try_emplace(faces);
+json Complete(ClassList list) {
+  static std::map<ClassList, json> known;
+  const auto [at, is_new] = known.try_emplace(list);
   if (!is_new) return at->second;
-  const enumerators::DofCensus census(faces == Faces::kAny ? enumerators::CornerWorld(7)
-                                                           : enumerators::CubeWorld(9));
+  const enumerators::DofCensus census(list == ClassList::kAnyFaces ? enumerators::CornerWorld(7)
+                                                                   : enumerators::CubeWorld(9));
   std::vector<algebra::ContactRelation> witnesses;
   for (const auto& c : census.Count()) witnesses.push_back(census.Relation(c.witness));
-  at->second = json::parse(DofClassesCertificate("list", "list", faces, witnesses,
-                                                 enumerators::DofDefinitions(), faces == Faces::kAny)
-                               .json);
+  at->second = json::parse(
+      DofClassesCertificate("list", "list", list, witnesses, enumerators::DofDefinitions()).json);
   return at->second;
 }
 
 std::string Why(const json& certificate) { return check::CheckCertificate(certificate.dump()).why; }
 
 TEST(DofClassesCertificate, CompleteListsAreAccepted) {
-  EXPECT_EQ(Why(Complete(Faces::kAny)), "");
-  EXPECT_EQ(Why(Complete(Faces::kAxisParallel)), "");
+  EXPECT_EQ(Why(Complete(ClassList::kAnyFaces)), "");
+  EXPECT_EQ(Why(Complete(ClassList::kAxisParallelFaces)), "");
 }
 
 TEST(DofClassesCertificate, AMissingClassIsNoticed) {
-  json list = Complete(Faces::kAny);
+  json list = Complete(ClassList::kAnyFaces);
   list["classes"].erase(17);
   EXPECT_EQ(Why(list), "classes: 1 of 142 classes have no witness");
 }
 
 TEST(DofClassesCertificate, AClassTwiceIsRefused) {
-  json list = Complete(Faces::kAny);
+  json list = Complete(ClassList::kAnyFaces);
   list["classes"].push_back(list["classes"][3]);
   EXPECT_EQ(Why(list), "classes[142]: its class has a witness already");
 }
 
 TEST(DofClassesCertificate, BoxesAreNotAllThereIs) {
-  json list = Complete(Faces::kAxisParallel);
+  json list = Complete(ClassList::kAxisParallelFaces);
   list["faces"] = "any";
   EXPECT_EQ(Why(list), "classes: 3 of 142 classes have no witness");
 }
 
 TEST(DofClassesCertificate, OtherFacesAreNoBoxes) {
-  json list = Complete(Faces::kAny);
+  json list = Complete(ClassList::kAnyFaces);
   list["faces"] = "axis-parallel";
   list.erase("fewest");
   EXPECT_NE(Why(list).find("its plane is not parallel to a coordinate plane"), std::string::npos);
@@ -61,10 +60,10 @@ TEST(DofClassesCertificate, OtherFacesAreNoBoxes) {
 }
 
 TEST(DofClassesCertificate, AWrongCountIsRefused) {
-  json list = Complete(Faces::kAny);
+  json list = Complete(ClassList::kAnyFaces);
   list["counts"][4]["classes"] = 138;
   EXPECT_EQ(Why(list), "counts[4].classes: these indices tell 66 classes apart");
-  list = Complete(Faces::kAxisParallel);
+  list = Complete(ClassList::kAxisParallelFaces);
   list["touching"] = 139;
   EXPECT_EQ(Why(list), "touching: 138 witnesses have contacts");
   list["counts"][0]["indices"][0] = "translation.wobbling";
@@ -72,9 +71,17 @@ TEST(DofClassesCertificate, AWrongCountIsRefused) {
 }
 
 TEST(DofClassesCertificate, AWitnessWithAContactTooManyIsNotSmallest) {
-  json list = Complete(Faces::kAxisParallel);  // boxes need more contacts for some classes
+  json list = Complete(ClassList::kAxisParallelFaces);  // boxes need more contacts for some classes
   list["fewest"] = true;
   EXPECT_NE(Why(list).find("the fewest contacts of its class are"), std::string::npos);
+}
+
+TEST(DofClassesCertificate, OrdinaryRelationsAreNoSingularOnes) {
+  json list = Complete(ClassList::kAnyFaces);
+  list["singular"] = true;
+  EXPECT_NE(Why(list).find("singular relations are listed for any faces"), std::string::npos);
+  list.erase("fewest");
+  EXPECT_EQ(Why(list), "classes[0]: is not singular");
 }
 
 }  // namespace

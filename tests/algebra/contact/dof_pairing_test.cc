@@ -122,5 +122,29 @@ RC_GTEST_PROP(ForcedDofTransitions, AreThoseOfEveryPairing, ()) {
   RC_ASSERT(forced == always);
 }
 
+TEST(AnalyzeTransition, DirectionsDecideWhereTheCountsLeaveAChoice) {
+  const ContactRelation floor_and_rim = {{At(0, 0, 0, {0, 0, 1}), kEdgeOnEdge.contacts[0]}};
+  EXPECT_TRUE(IsAmbiguous(ComputeMotionDof(floor_and_rim), ComputeMotionDof(kFloorAndWall)));
+  const Transition t = AnalyzeTransition(floor_and_rim, kFloorAndWall);
+  EXPECT_TRUE(t.ambiguous);
+  // z: singular detaching -> detaching; x: singular maintaining -> detaching; y: -> maintaining.
+  const std::vector<DofTransition> expected = {{Motion::kTranslation, kSingularMaintaining, kMaintaining},
+                                               {Motion::kTranslation, kSingularMaintaining, kDetaching},
+                                               {Motion::kTranslation, kSingularDetaching, kDetaching}};
+  EXPECT_TRUE(std::equal(expected.begin(), expected.end(), t.dof_transitions.begin()));
+  EXPECT_EQ(std::count(t.sub_skills.begin(), t.sub_skills.end(), SubSkill::kDetachContactInTranslation), 0);
+  const Transition by_counts =
+      AnalyzeTransition(ComputeMotionDof(floor_and_rim), ComputeMotionDof(kFloorAndWall));
+  EXPECT_EQ(std::count(by_counts.sub_skills.begin(), by_counts.sub_skills.end(),
+                       SubSkill::kDetachContactInTranslation),
+            1);
+}
+
+TEST(AnalyzeTransition, WithoutAChoiceTheCountsAreTaken) {
+  EXPECT_EQ(AnalyzeTransition(kFloor, kFloorAndWall).dof_transitions,
+            AnalyzeTransition(ComputeMotionDof(kFloor), ComputeMotionDof(kFloorAndWall)).dof_transitions);
+  EXPECT_FALSE(AnalyzeTransition(kFree, kFloorAndCeiling).ambiguous);
+}
+
 }  // namespace
 }  // namespace tact::algebra

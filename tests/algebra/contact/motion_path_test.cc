@@ -173,7 +173,12 @@ void ExpectSamplesAgree(const SampleBody& moving, const SampleBody& fixed, const
                         std::map<std::string, int>& seen) {
   const PathContacts found = FollowPath(moving.solid, fixed.solid, path);
   if (found.event) {
-    ++seen[found.event->parameter.is_rational() ? "event" : "irrational event"];
+    const QuadraticRoot& s = found.event->parameter;
+    ++seen[s.is_rational() ? "event" : "irrational event"];
+    if (s.is_rational() && moving.parts.size() == 1 && fixed.parts.size() == 1) {
+      ++seen["event of convex solids"];
+      ASSERT_NE(MeetingOf(Transform(moving, path.At(s.center)), fixed), Meeting::kApart) << found.event->what;
+    }
     return;
   }
   const bool touches = !found.start.relation.contacts.empty();
@@ -188,7 +193,7 @@ void ExpectSamplesAgree(const SampleBody& moving, const SampleBody& fixed, const
   }
 }
 
-TEST(FollowPath, NoEventMeansNoneOfManySamplesOverlapsOrTouchesOtherwise) {
+TEST(FollowPath, NoEventMeansNoneOfManySamplesOverlapsOrTouchesOtherwiseAndConvexSolidsMeetAtAnEvent) {
   std::map<std::string, int> seen;
   for (unsigned seed = 0; seed < 60; ++seed) {
     Dice dice(seed);
@@ -198,7 +203,8 @@ TEST(FollowPath, NoEventMeansNoneOfManySamplesOverlapsOrTouchesOtherwise) {
     ExpectSamplesAgree(Transform(moving, Pose{{}, dice.RollVector(-3, 3)}), fixed, AnyPath(dice), seen);
     if (HasFatalFailure()) FAIL() << "seed " << seed;
   }
-  for (const char* kind : {"event", "irrational event", "apart"}) EXPECT_GT(seen[kind], 0) << kind;
+  for (const char* kind : {"event", "event of convex solids", "irrational event", "apart"})
+    EXPECT_GT(seen[kind], 0) << kind;
 }
 
 TEST(FollowPath, SlidingContactsAreKeptWithoutEvents) {
