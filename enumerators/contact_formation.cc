@@ -11,11 +11,12 @@ namespace tact::enumerators {
 namespace {
 
 using algebra::Polyhedron;
+using algebra::Rational;
 using algebra::Vector3;
 
 constexpr int kOverlap = -1;
 
-int Floor(const algebra::Rational& value) {
+int Floor(const Rational& value) {
   if (!value.is_integer() || !value.numerator().is_small())
     throw PreconditionError("formations of solids with small integer corners, got " + value.ToString());
   return static_cast<int>(value.numerator().small());
@@ -44,9 +45,11 @@ class Search {
       : moving_(moving), fixed_(fixed), cells_(EventNormals(moving, fixed)) {
     const Bounds of_moving = BoundsOf(moving), of_fixed = BoundsOf(fixed);
     for (size_t i = 0; i < 3; ++i) {
+      reach_.least[i] = of_fixed.least[i] - of_moving.most[i];
+      reach_.most[i] = of_fixed.most[i] - of_moving.least[i];
       // One free layer all around, so that what is outside is connected.
-      first_[i] = of_fixed.least[i] - of_moving.most[i] - 1;
-      count_[i] = of_fixed.most[i] - of_moving.least[i] + 1 - first_[i];
+      first_[i] = reach_.least[i] - 1;
+      count_[i] = reach_.most[i] + 1 - first_[i];
     }
   }
 
@@ -83,6 +86,13 @@ class Search {
     return block * cells_.cells().size() + cell;
   }
   Vector3 PoseOf(size_t index) const { return cells_.Point(index % cells_.cells().size(), Offset(index)); }
+  bool InReach(const Vector3& pose) const {
+    for (int i = 0; i < 3; ++i) {
+      const auto axis = static_cast<size_t>(i);
+      if (pose[i] < Rational(reach_.least[axis]) || Rational(reach_.most[axis]) < pose[i]) return false;
+    }
+    return true;
+  }
   int DimensionOf(size_t index) const { return cells_.cells()[index % cells_.cells().size()].dimension; }
 
   // Calls visit(g, f) for every cell f in the closure of a cell g, both without overlap.
@@ -103,7 +113,9 @@ class Search {
     places_.resize(Blocks() * cells_.cells().size());
     std::map<ElementPairs, int> known;
     for (size_t i = 0; i < places_.size(); ++i) {
-      auto found = FindContacts(Transform(moving_, {{}, PoseOf(i)}), fixed_, 0);
+      const Vector3 pose = PoseOf(i);
+      algebra::FoundContacts found;
+      if (InReach(pose)) found = FindContacts(Transform(moving_, {{}, pose}), fixed_, 0);
       if (found.penetration) continue;
       ++result_.cells;
       const auto [at, is_new] = known.emplace(PairsOf(found), static_cast<int>(known.size()));
@@ -181,6 +193,7 @@ class Search {
   const Polyhedron& moving_;
   const Polyhedron& fixed_;
   PoseCells cells_;
+  Bounds reach_{};  // translations at which the solids' boxes meet
   Lattice3 first_{}, count_{};
   std::vector<Place> places_;
   std::vector<ElementPairs> pairs_;

@@ -89,7 +89,7 @@ void AddBlocks(List* list) {
   const auto cube = [] { return Box(1, 1, 1); };
   const auto block = [] { return Box(2, 2, 1); };
   list->Family("blocks");
-  list->Add(kSmall, kMedium, "cube on an equal cube", cube, cube);
+  list->Add(kSmall, kSmall, "cube on an equal cube", cube, cube);
   list->Add(kSmall, kLarge, "cube on a block", cube, block);
   list->Add(
       kMedium, kNever, "bar across a block", [] { return Box(3, 1, 1); }, block);
@@ -107,8 +107,8 @@ void AddSlots(List* list) {
   const auto box = [](int x, int y, int z) { return [=] { return Box(x, y, z); }; };
   const auto slot = [](int width, int depth) { return [=] { return Slot(width, depth); }; };
   list->Family("prisms in slots");
-  list->Add(kSmall, kSmall, "cube in a slot of its width", box(1, 1, 1), slot(1, 1));
-  list->Add(kMedium, kMedium, "peg in a slot of its width", box(1, 1, 2), slot(1, 1));
+  list->Add(kSmall, kMedium, "cube in a slot of its width", box(1, 1, 1), slot(1, 1));
+  list->Add(kMedium, kLarge, "peg in a slot of its width", box(1, 1, 2), slot(1, 1));
   list->Add(kSmall, kLarge, "cube in a slot twice as wide", box(1, 1, 1), slot(2, 1));
   list->Add(kMedium, kNever, "bar over a slot half as wide", box(2, 1, 1), slot(1, 1));
   list->Add(kMedium, kNever, "bar in a slot of its width", box(2, 1, 1), slot(2, 1));
