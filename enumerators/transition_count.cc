@@ -165,7 +165,8 @@ class Counter {
       detaches = detaches || skill == SubSkill::kDetachContactInTranslation ||
                  skill == SubSkill::kDetachContactInRotation;
     }
-    Count(passage, Measure::kSubSkills, 0, static_cast<int>(analysis.sub_skills.size()), named);
+    Count(passage, Measure::kSubSkills, 0,
+          (passage.before.singular ? 1 : 0) + (passage.after.singular ? 2 : 0), named);
     if (makes && detaches) Count(passage, Measure::kMakeAndDetach);
     if (analysis.critical) Count(passage, Measure::kCritical);
     if (analysis.ambiguous) Count(passage, Measure::kAmbiguous);

@@ -31,7 +31,8 @@ enum class Measure {
   kAllPairs,      // likewise
   kOnlyByCounts,  // likewise: the counts allow it, and no direction goes so
   kHidden,        // likewise: a direction goes so, and the counts do not show it
-  kSubSkills,     // of transitions that change an index; from: how many the rules name; to: which, a bit each
+  kSubSkills,  // of transitions that change an index; to: what the rules name, a bit each; from: 1 if singular
+               // before, and 2 more if singular after
   kMakeAndDetach,  // the rules name both, in one motion or in two
   kCritical,       // by the rule
   kAmbiguous,

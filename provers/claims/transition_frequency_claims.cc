@@ -226,6 +226,10 @@ Figure MatrixFigure(const TransitionCount& count, bool opens) {
           DrawCountMatrix(kNames, panels, impractical, "not among the 20 practical kinds of Fig. 2.5")};
 }
 
+std::string PairName(int from, int to) {
+  return kNames[static_cast<size_t>(from)] + " - " + kNames[static_cast<size_t>(to)];
+}
+
 struct Range {
   uint64_t least = std::numeric_limits<uint64_t>::max(), most = 0, never = 0, kinds = 0;
   void Add(uint64_t count) {
@@ -243,8 +247,9 @@ Outcome TrySeldom(Effort effort) {
   outcome.bound = Bound(counted);
   bool separated = true;
   std::string ranges;
-  std::optional<std::pair<int, int>> common;  // the most frequent impractical kind
+  std::pair<int, int> common;  // the most frequent impractical kind
   uint64_t most = 0;
+  std::array<std::string, 2> never;  // pairs of impractical and of practical kinds
   for (int motion = 0; motion < 2; ++motion) {
     Range practical, impractical;
     for (int from = 0; from < kDofIndices; ++from) {
@@ -252,7 +257,11 @@ Outcome TrySeldom(Effort effort) {
         if (from == to) continue;
         const uint64_t count = BothWays(counted.total, Measure::kByDirection, motion, from, to);
         (Practical(from, to) ? practical : impractical).Add(count);
-        if (Practical(from, to) || count <= most) continue;
+        if (count == 0 && from < to && motion == 0) {
+          std::string& list = never[Practical(from, to) ? 1 : 0];
+          list += (list.empty() ? "" : ", ") + PairName(from, to);
+        }
+        if (Practical(from, to) || motion == 1 || count <= most) continue;
         most = count;
         common = {from, to};
       }
@@ -274,52 +283,53 @@ Outcome TrySeldom(Effort effort) {
   outcome.tables = {KindTable(counted, 0), KindTable(counted, 1), PassageTable(counted),
                     ReadingTable(counted)};
   outcome.figures = {MatrixFigure(counted.total, false), MatrixFigure(counted.total, true)};
-  if (common) {
+  outcome.evidence =
+      "A contact formation is a connected set of poses at which the same elements touch. For solids with "
+      "integer corners all formations by translation are found, and all pairs of which one is in the closure "
+      "of the other: one pair is one transition closing, into the formation where more touches, and one "
+      "opening. Counted is whether some direction of motion goes from the one kind to the other where the "
+      "motion ends." +
+      ranges;
+  if (separated) {
+    outcome.evidence += "\n\nA threshold separates the twenty from the ten.";
+  } else {
+    outcome.evidence +=
+        "\n\nNo threshold separates the twenty from the ten. Never met in translation are, of the "
+        "impractical "
+        "pairs, " +
+        (never[0].empty() ? "none" : never[0]) + "; of the practical ones, " +
+        (never[1].empty() ? "none" : never[1]) +
+        ". By a straight motion neither M nor D turns into C or SC (docs/dof-transitions.md, Theorem 3), and "
+        "the tilts "
+        "tried end where faces lie flush; turns that end in a jam would show D - C. The most frequent "
+        "impractical "
+        "pair is " +
+        PairName(common.first, common.second) + ": " + Digits(most) +
+        " times each way in translation. A part that runs along an edge and meets a "
+        "wall, or leaves one, does that.\n\nWhat separates the twenty from the ten is not how many places "
+        "there are for "
+        "a kind, but what it takes to get there (thesis.2.3.1.practical-20): to hold a singular contact on "
+        "the way, or "
+        "to turn and meet two contacts at once.";
     for (const bool opens : {false, true}) {
-      const auto at =
-          FirstPlace(counted.total, Measure::kByDirection, opens, 0, common->first, common->second);
+      const auto at = FirstPlace(counted.total, Measure::kByDirection, opens, 0, common.first, common.second);
       if (!at) continue;
-      const std::string kind =
-          kNames[static_cast<size_t>(common->first)] + " -> " + kNames[static_cast<size_t>(common->second)];
-      AddExample(counted, id, "impractical", kind + ", impractical and often met", *at, &outcome);
+      AddExample(counted, id, "impractical",
+                 kNames[static_cast<size_t>(common.first)] + " -> " +
+                     kNames[static_cast<size_t>(common.second)] + ", impractical and often met",
+                 *at, &outcome);
       break;
     }
   }
-  outcome.evidence =
-      "A contact formation is a connected set of poses at which the same elements touch. For solids with "
-      "integer corners "
-      "all formations by translation are found, and all pairs of which one is in the closure of the other: "
-      "one pair is "
-      "one transition closing and one opening. Counted is whether some direction of motion goes from the one "
-      "kind to the "
-      "other where the motion ends." +
-      ranges + "\n\n" +
-      (separated
-           ? "A threshold separates the twenty from the ten."
-           : "No threshold separates the twenty from the ten. Ten kinds are met all the time: M, D and SM "
-             "among one "
-             "another, and D with SD. The four kinds between M and (singular) constraining are never met, as "
-             "the text says; "
-             "but neither are the four between D and (singular) constraining, which Fig. 2.5 has. By a "
-             "straight motion they "
-             "cannot occur (docs/dof-transitions.md, Theorem 3), and the tilts tried end where faces lie "
-             "flush. And of the "
-             "kinds that keep a singular contact, SM and SD exchange about as often as M and SD, and more "
-             "often than C "
-             "comes up at all: a vertex or an edge that runs along an edge and meets a wall is common in "
-             "solids with "
-             "edges.\n\nWhat holds: a motion in a general direction from a non-singular relation loses one "
-             "dimension, and "
-             "by it only M -> D and the kinds that make a relation singular occur. Whether a kind is seldom "
-             "depends on "
-             "how seldom one holds a singular contact on the way, not on how few places there are for it.") +
+  outcome.evidence +=
       "\n\nOf " + Digits(counted.total.formations) + " formations, " +
       Digits(counted.total.uneven_formations) +
-      " have motion DOFs in rotation that vary from place to place while the same elements touch: motion "
-      "DOFs depend on "
-      "where the contacting points lie, not on which elements touch alone. So before a transition, the DOFs "
-      "are taken "
-      "just before its end.";
+      " were found to have motion DOFs in rotation that vary from place to place while the same elements "
+      "touch "
+      "(a regular tetrahedron between the walls of a slot is one that does, from standard effort on): motion "
+      "DOFs "
+      "depend on where the contacting points lie, not on which elements touch alone. So the DOFs before a "
+      "transition are taken just before its end.";
   return outcome;
 }
 
@@ -384,14 +394,19 @@ Outcome TryRulesDecide(Effort effort) {
   // [closing, opening][acts].
   std::array<std::array<uint64_t, 4>, 2> acts{};
   std::array<std::array<std::optional<std::pair<TallyKey, TransitionPlace>>, 4>, 2> first;
+  std::array<uint64_t, 4> unnamed{};  // closing, no act: by whether the relation is singular before, after
   std::map<int, std::array<std::array<uint64_t, 2>, 2>> by_names;  // [closing, opening][translation, tilt]
   for (const auto& [key, tally] : counted.total.tallies) {
     if (key.measure != Measure::kSubSkills) continue;
     const size_t way = key.opens ? 1 : 0, number = static_cast<size_t>(ActsOf(key.to));
     acts[way][number] += tally.count;
     by_names[key.to][way][key.lost_dimensions == 0 ? 1 : 0] += tally.count;
+    if (way == 0 && number == 0) unnamed[static_cast<size_t>(key.from)] += tally.count;
     auto& place = first[way][number];
-    if (!place || tally.first.unit < place->second.unit) place = {key, tally.first};
+    const auto rank = [](const TallyKey& k, const TransitionPlace& p) {
+      return std::pair(k.lost_dimensions == 0, p.unit);
+    };
+    if (!place || rank(key, tally.first) < rank(place->first, place->second)) place = {key, tally.first};
   }
   Table names{"What the rules name where some motion DOF changes",
               {"sub-skills", "closing, straight", "closing, tilt", "opening, straight", "opening, tilt"},
@@ -450,13 +465,17 @@ Outcome TryRulesDecide(Effort effort) {
       "sub-skill (2.4.4). "
       "But forwards, " +
       Digits(acts[0][0]) +
-      " transitions bring more into contact and are named by no rule. They leave singular relations, as when "
-      "an edge on an "
-      "edge is laid down flush, or stay singular while a wall is met: the primitive that ends in contact "
-      "must be one of "
-      "make-contact's, and no rule says so. Corrected: a transition after which more touches, and that no "
-      "rule names, is "
-      "a make-contact.\n\nSeveral indices fall and several rise in " +
+      " transitions bring more into contact and are named by no rule: from singular relations " +
+      Digits(unnamed[1]) + " into non-singular ones, as when an edge on an edge is laid down flush, and " +
+      Digits(unnamed[3]) +
+      " into singular ones, as when a part runs along an edge and meets a wall; from "
+      "non-singular ones " +
+      Digits(unnamed[0] + unnamed[2]) +
+      ". What a robot does to bring more into contact is a make-contact, and no rule says so there. "
+      "Corrected: a "
+      "transition after which more touches, and that no rule names, is a make-contact.\n\nSeveral indices "
+      "fall "
+      "and several rise in " +
       Digits(ambiguous) +
       " transitions; there the text does not say which became which, and only the directions do "
       "(thesis.2.3.2.make-contact-rule and the claims after it).\n\nCritical are " +
