@@ -9,13 +9,9 @@ namespace {
 
 constexpr size_t kSteps = 3;  // maintaining, legal, all
 
-// Bases of the directions that keep every contact and of those that the legal ones span.
-struct Filtration {
-  std::array<IntegerMatrix, 2> spaces;
-  bool singular = false;
-
-  size_t Dimension(size_t step) const { return step == 0 ? 0 : (step < kSteps ? spaces[step - 1].rows : 3); }
-};
+size_t Dimension(const DirectionFiltration& filtration, size_t step) {
+  return step == 0 ? 0 : (step < kSteps ? filtration.spaces[step - 1].rows : 3);
+}
 
 IntegerMatrix VanishingRows(const IntegerMatrix& rows) {
   const ComplementaryPair pair = FindComplementaryPair(rows.entries, static_cast<int>(rows.columns));
@@ -34,7 +30,18 @@ IntegerMatrix Directions(const IntegerMatrix& rows) {
   return RowSpace(SelectColumns(space, angular)).vectors;
 }
 
-Filtration FiltrationOf(const ContactRelation& relation, Motion motion) {
+size_t CommonDimension(const DirectionFiltration& a, size_t i, const DirectionFiltration& b, size_t j) {
+  if (i == 0 || j == 0) return 0;
+  if (i == kSteps) return Dimension(b, j);
+  if (j == kSteps) return Dimension(a, i);
+  IntegerMatrix both = a.spaces[i - 1];
+  both.AppendRows(b.spaces[j - 1]);
+  return Dimension(a, i) + Dimension(b, j) - Rank(both);
+}
+
+}  // namespace
+
+DirectionFiltration FilterDirections(const ContactRelation& relation, Motion motion) {
   const size_t columns = motion == Motion::kTranslation ? 3 : 6;
   IntegerMatrix rows(0, columns);
   for (const Contact& contact : relation.WithoutSingular().contacts) {
@@ -44,19 +51,11 @@ Filtration FiltrationOf(const ContactRelation& relation, Motion motion) {
   return {{Directions(rows), Directions(VanishingRows(rows))}, relation.singular()};
 }
 
-size_t CommonDimension(const Filtration& a, size_t i, const Filtration& b, size_t j) {
-  if (i == 0 || j == 0) return 0;
-  if (i == kSteps) return b.Dimension(j);
-  if (j == kSteps) return a.Dimension(i);
-  IntegerMatrix both = a.spaces[i - 1];
-  both.AppendRows(b.spaces[j - 1]);
-  return a.Dimension(i) + b.Dimension(j) - Rank(both);
+DofPairing PairByDirection(const ContactRelation& before, const ContactRelation& after, Motion motion) {
+  return PairByDirection(FilterDirections(before, motion), FilterDirections(after, motion));
 }
 
-}  // namespace
-
-DofPairing PairByDirection(const ContactRelation& before, const ContactRelation& after, Motion motion) {
-  const Filtration a = FiltrationOf(before, motion), b = FiltrationOf(after, motion);
+DofPairing PairByDirection(const DirectionFiltration& a, const DirectionFiltration& b) {
   DofPairing pairing{};
   for (size_t i = 1; i <= kSteps; ++i) {
     for (size_t j = 1; j <= kSteps; ++j) {

@@ -13,12 +13,22 @@
 #include <vector>
 
 #include "algebra/contact/dof_transition.h"
+#include "algebra/exact/integer_matrix.h"
 
 namespace tact::algebra {
 
 /// [from][to]: how many directions are of index `from` before and of index `to` after; they add up to three.
 using DofPairing = std::array<std::array<int, kDofIndices>, kDofIndices>;
 
+/// Bases of the directions that keep every contact, and of those that the legal ones span.
+struct DirectionFiltration {
+  std::array<IntegerMatrix, 2> spaces;  // three columns
+  bool singular = false;
+};
+
+DirectionFiltration FilterDirections(const ContactRelation& relation, Motion motion);
+
+DofPairing PairByDirection(const DirectionFiltration& before, const DirectionFiltration& after);
 DofPairing PairByDirection(const ContactRelation& before, const ContactRelation& after, Motion motion);
 
 /// The DOF-transitions of both motions by direction, translation first, each kind once, by from, then to.

@@ -4,8 +4,9 @@ namespace tact::provers {
 
 std::vector<Claim> AllClaims() {
   std::vector<Claim> all;
-  for (auto part : {DisplacementClaims(), PropositionClaims(), MotionDofClaims(), DofClassClaims(),
-                    DofTransitionClaims(), SingularClaims(), PegInsertionClaims()}) {
+  for (auto part :
+       {DisplacementClaims(), PropositionClaims(), MotionDofClaims(), DofClassClaims(), DofTransitionClaims(),
+        TransitionFrequencyClaims(), SingularClaims(), PegInsertionClaims()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;

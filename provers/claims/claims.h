@@ -20,6 +20,8 @@ std::vector<Claim> SingularClaims();
 std::vector<Claim> DofClassClaims();
 /// [thesis, 2.3 and 2.6]: DOF-transitions, the practical ones, and the rules that read them.
 std::vector<Claim> DofTransitionClaims();
+/// [thesis, 2.3.1 and 2.6]: how often the kinds of DOF-transitions appear, and what the rules make of them.
+std::vector<Claim> TransitionFrequencyClaims();
 /// [thesis, 2.8.2]: the peg insertion and its seven transitions.
 std::vector<Claim> PegInsertionClaims();
 
