@@ -1,145 +1,34 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <map>
-#include <mutex>
-#include <optional>
 
-#include "algebra/contact/contact_finder.h"
-#include "algebra/contact/dof_transition.h"
-#include "enumerators/transition_count.h"
-#include "provers/certificate_writer.h"
+#include "algebra/contact/motion_path.h"
+#include "enumerators/lattice_solid.h"
+#include "provers/claims/census.h"
 #include "provers/claims/claims.h"
+#include "provers/claims/transition_counting.h"
 #include "provers/report/count_matrix.h"
 #include "provers/report/solid_drawing.h"
-#include "provers/report/text.h"
 
 namespace tact::provers {
 namespace {
 
 using algebra::DofIndex;
-using algebra::DofTransition;
 using algebra::kDofIndices;
 using algebra::Motion;
-using enumerators::FamilySize;
 using enumerators::Measure;
-using enumerators::SolidPair;
-using enumerators::TallyKey;
 using enumerators::TransitionCount;
-using enumerators::TransitionPlace;
 
 constexpr std::array<Motion, 2> kMotions = {Motion::kTranslation, Motion::kRotation};
 const std::vector<std::string> kNames = {"M", "D", "C", "SM", "SD", "SC"};
-
-struct FamilyCount {
-  std::string family;
-  TransitionCount count;
-};
-
-struct Counted {
-  std::vector<SolidPair> pairs;
-  std::vector<FamilyCount> families;
-  TransitionCount total;
-};
-
-Counted CountAll(FamilySize size) {
-  Counted counted;
-  counted.pairs = enumerators::SolidPairs(size);
-  for (size_t unit = 0; unit < counted.pairs.size(); ++unit) {
-    const TransitionCount count = CountTransitions(counted.pairs[unit], unit);
-    if (counted.families.empty() || counted.families.back().family != counted.pairs[unit].family)
-      counted.families.push_back({counted.pairs[unit].family, {}});
-    Merge(&counted.families.back().count, count);
-    Merge(&counted.total, count);
-  }
-  return counted;
-}
-
-// Counted once for all claims; they may ask on several threads.
-const Counted& CountedFor(Effort effort) {
-  static std::array<Counted, 3> counted;
-  static std::array<std::once_flag, 3> done;
-  const auto size = static_cast<size_t>(effort);
-  std::call_once(done[size], [&] { counted[size] = CountAll(static_cast<FamilySize>(size)); });
-  return counted[size];
-}
-static_assert(static_cast<int>(Effort::kQuick) == static_cast<int>(FamilySize::kSmall) &&
-              static_cast<int>(Effort::kFull) == static_cast<int>(FamilySize::kLarge));
-
-uint64_t Sum(const TransitionCount& count, Measure measure, bool opens, int motion, int from, int to) {
-  uint64_t sum = 0;
-  for (int lost = 0; lost <= 3; ++lost) sum += count.Count({measure, lost, opens, motion, from, to});
-  return sum;
-}
-
-uint64_t BothWays(const TransitionCount& count, Measure measure, int motion, int from, int to) {
-  return Sum(count, measure, false, motion, from, to) + Sum(count, measure, true, motion, from, to);
-}
-
-std::string Digits(uint64_t count) { return GroupedDigits(static_cast<long long>(count)); }
-
-std::string Share(uint64_t part, uint64_t whole) {
-  return whole == 0 ? "-" : ShortDecimal(100 * static_cast<double>(part) / static_cast<double>(whole)) + " %";
-}
 
 bool Practical(int from, int to) {
   return algebra::IsPractical({Motion::kTranslation, static_cast<DofIndex>(from), static_cast<DofIndex>(to)});
 }
 
-std::string Bound(const Counted& counted) {
-  return Digits(counted.total.pairs) + " pairs of solids; all " + Digits(counted.total.borders) +
-         " pairs of neighbouring contact formations by translation, and " + Digits(counted.total.tilts) +
-         " found by tilting about axis-parallel lines through contacts; each both ways";
-}
-
-// ---- a transition as drawings and as a certificate
-
-struct Shown {
-  algebra::ContactRelation before, after;
-  std::vector<Figure> figures;
-};
-
-Shown Show(const Counted& counted, const TallyKey& key, const TransitionPlace& place,
-           const std::string& caption) {
-  const SolidPair& pair = counted.pairs[place.unit];
-  const enumerators::PlacePoses poses = PosesOf(place);
-  Shown shown;
-  for (const bool later : {false, true}) {
-    const algebra::Polyhedron moving = Transform(pair.moving, later == key.opens ? poses.open : poses.border);
-    const auto relation = FindContacts(moving, pair.fixed, 0).relation;
-    View view;
-    view.width = 420;
-    shown.figures.push_back(
-        {caption + ": " + pair.name + (later ? ", after" : ", before"),
-         DrawContactRelation({{pair.fixed, Part::kFixed}, {moving, Part::kMoving}}, relation, view)});
-    (later ? shown.after : shown.before) = relation;
-  }
-  return shown;
-}
-
-// The first place of the tally with that measure and those kinds; straight motions before tilts.
-std::optional<std::pair<TallyKey, TransitionPlace>> FirstPlace(const TransitionCount& count, Measure measure,
-                                                               bool opens, int motion, int from, int to) {
-  for (const int lost : {1, 2, 3, 0}) {
-    const TallyKey key{measure, lost, opens, motion, from, to};
-    const auto at = count.tallies.find(key);
-    if (at != count.tallies.end()) return std::pair(key, at->second.first);
-  }
-  return std::nullopt;
-}
-
-void AddExample(const Counted& counted, const std::string& id, const std::string& name,
-                const std::string& caption, const std::pair<TallyKey, TransitionPlace>& at,
-                Outcome* outcome) {
-  Shown shown = Show(counted, at.first, at.second, caption);
-  outcome->figures.insert(outcome->figures.end(), shown.figures.begin(), shown.figures.end());
-  outcome->certificates.push_back(TransitionsCertificate(
-      id + "." + name, id, {{"before", std::move(shown.before)}, {"after", std::move(shown.after)}}, {}));
-}
-
 // ---- 2.3.1: frequently and seldom
 
-Table KindTable(const Counted& counted, int motion) {
+Table KindTable(const CountedFamilies& counted, int motion) {
   Table table{"How often each kind of DOF-transition appears in " +
                   ToString(kMotions[static_cast<size_t>(motion)]) + ", by direction",
               {"kind", "in Fig. 2.5", "closing", "opening"},
@@ -161,7 +50,7 @@ Table KindTable(const Counted& counted, int motion) {
 }
 
 // Both ways together; n of one direction closing is n of the other opening.
-Table PassageTable(const Counted& counted) {
+Table PassageTable(const CountedFamilies& counted) {
   Table table{"By what motion: the dimensions that a straight motion loses when it closes, or a tilt",
               {"pair", "in Fig. 2.5", "translation: one", "two", "three", "tilt", "rotation: one", "two",
                "three", "tilt"},
@@ -182,7 +71,7 @@ Table PassageTable(const Counted& counted) {
   return table;
 }
 
-Table ReadingTable(const Counted& counted) {
+Table ReadingTable(const CountedFamilies& counted) {
   Table table{"By how a DOF-transition is read, both ways and both motions together",
               {"pair", "in Fig. 2.5", "by direction", "forced by the counts",
                "every falling with every rising", "of these no direction goes so"},
@@ -241,10 +130,10 @@ struct Range {
 };
 
 Outcome TrySeldom(Effort effort) {
-  const Counted& counted = CountedFor(effort);
+  const CountedFamilies& counted = FamiliesFor(effort);
   const std::string id = "thesis.2.3.1.seldom";
   Outcome outcome;
-  outcome.bound = Bound(counted);
+  outcome.bound = BoundOf(counted);
   bool separated = true;
   std::string ranges;
   std::pair<int, int> common;  // the most frequent impractical kind
@@ -324,21 +213,65 @@ Outcome TrySeldom(Effort effort) {
   outcome.evidence +=
       "\n\nOf " + Digits(counted.total.formations) + " formations, " +
       Digits(counted.total.uneven_formations) +
-      " were found to have motion DOFs in rotation that vary from place to place while the same elements "
-      "touch "
-      "(a regular tetrahedron between the walls of a slot is one that does, from standard effort on): motion "
-      "DOFs "
-      "depend on where the contacting points lie, not on which elements touch alone. So the DOFs before a "
-      "transition are taken just before its end.";
+      " were found to have motion DOFs that vary from place to place "
+      "(thesis.2.3.same-elements); so the DOFs before a transition are taken just before its end.";
+  return outcome;
+}
+
+// ---- 2.3: do the touching elements decide the DOFs?
+
+Outcome TrySameElements(Effort) {
+  const std::string id = "thesis.2.3.same-elements";
+  // The hull of four corners of a cube no two of which share an edge, between walls as far apart as the cube is wide.
+  const algebra::Polyhedron tetrahedron = enumerators::CornerHulls()[3];
+  const algebra::Polyhedron slot =
+      enumerators::LatticeSolid({{{0, 0, 0}, {3, 1, 2}}}, {{{1, 0, 1}, {2, 1, 2}}});
+  const algebra::Polyhedron deep = Transform(tetrahedron, {{}, {1, {-1, 4}, 1}});
+  const algebra::PathContacts path = FollowPath(deep, slot, algebra::MotionPath::Line({0, {-1, 2}, 0}));
+  const algebra::MotionDof before = ComputeMotionDof(path.start.relation),
+                           after = ComputeMotionDof(path.end.relation);
+  const bool same = !path.event && enumerators::PairsOf(path.start) == enumerators::PairsOf(path.end);
+  Outcome outcome;
+  outcome.bound = "one motion of a tetrahedron in a slot";
+  outcome.evidence =
+      "A regular tetrahedron stands between the walls of a slot and is pulled along it by half its width. "
+      "All the way the same elements touch, as the exact path shows. An edge's crossing and a vertex push it "
+      "from either side, along two segments. Deep in the slot the segments cross, and the pushes block "
+      "turning; "
+      "half way out they come apart, and it can turn off one wall or the other.";
+  if (!same || before == after) {
+    outcome.evidence += " This did not come out.";
+    return outcome;
+  }
+  outcome.verdict = Verdict::kRefuted;
+  outcome.numbers = {{"constraining DOF in rotation, deep", before.rotation.constraining},
+                     {"constraining DOF in rotation, far", after.rotation.constraining}};
+  outcome.tables = {{"The same elements touch", DofHeader(), {DofCells(before), DofCells(after)}}};
+  for (const auto& [name, at] :
+       {std::pair("deep in the slot", &path.start), std::pair("far out", &path.end)}) {
+    const algebra::Rational s = at == &path.start ? 0 : 1;
+    outcome.figures.push_back(
+        {std::string("The tetrahedron ") + name,
+         DrawContactRelation({{slot, Part::kFixed},
+                              {Transform(deep, {{}, {0, algebra::Rational(-1, 2) * s, 0}}), Part::kMoving}},
+                             at->relation, {})});
+  }
+  outcome.certificates = {TransitionsCertificate(
+      id + ".tetrahedron", id, {{"deep", path.start.relation}, {"far", path.end.relation}},
+      {{0, {{"rotation.constraining", after.rotation.constraining - before.rotation.constraining}}}})};
+  outcome.evidence +=
+      "\n\nSo a contact relation is more than a list of elements: motion DOFs, and with them "
+      "DOF-transitions in rotation, can change in the middle of a motion that makes and breaks no contact. "
+      "DOFs in translation cannot, as long as the normals stay.";
   return outcome;
 }
 
 // ---- 2.3.1: what straight motions can do
 
 Outcome TryStraightMotions(Effort effort) {
-  const Counted& counted = CountedFor(effort);
+  const CountedFamilies& counted = FamiliesFor(effort);
   Outcome outcome;
-  outcome.bound = Bound(counted);
+  outcome.bound = BoundOf(counted);
   Table table{"Tried on every transition by a translation", {"law", "tried", "broken"}, {}};
   uint64_t broken = 0;
   const auto& laws = enumerators::TransitionLaws();
@@ -363,132 +296,12 @@ Outcome TryStraightMotions(Effort effort) {
   return outcome;
 }
 
-// ---- 2.6: do the rules name a primitive?
-
-std::string SkillNames(int named) {
-  std::string text;
-  for (int i = 0; i < 7; ++i) {
-    if ((named >> i & 1) == 0) continue;
-    text += (text.empty() ? "" : ", ") + ToString(static_cast<algebra::SubSkill>(i));
-  }
-  return text.empty() ? "none" : text;
-}
-
-// Make-contact, detach-contact, slide: one act, in one motion or in both.
-int ActsOf(int named) {
-  const auto has = [named](algebra::SubSkill skill) { return (named >> static_cast<int>(skill) & 1) != 0; };
-  using enum algebra::SubSkill;
-  return (has(kMakeContactInTranslation) || has(kType1MakeContactInRotation) ||
-                  has(kType2MakeContactInRotation)
-              ? 1
-              : 0) +
-         (has(kDetachContactInTranslation) || has(kDetachContactInRotation) ? 1 : 0) +
-         (has(kSlideInTranslation) || has(kSlideInRotation) ? 1 : 0);
-}
-
-Outcome TryRulesDecide(Effort effort) {
-  const Counted& counted = CountedFor(effort);
-  const std::string id = "thesis.2.6.rules-decide";
-  Outcome outcome;
-  outcome.bound = Bound(counted);
-  // [closing, opening][acts].
-  std::array<std::array<uint64_t, 4>, 2> acts{};
-  std::array<std::array<std::optional<std::pair<TallyKey, TransitionPlace>>, 4>, 2> first;
-  std::array<uint64_t, 4> unnamed{};  // closing, no act: by whether the relation is singular before, after
-  std::map<int, std::array<std::array<uint64_t, 2>, 2>> by_names;  // [closing, opening][translation, tilt]
-  for (const auto& [key, tally] : counted.total.tallies) {
-    if (key.measure != Measure::kSubSkills) continue;
-    const size_t way = key.opens ? 1 : 0, number = static_cast<size_t>(ActsOf(key.to));
-    acts[way][number] += tally.count;
-    by_names[key.to][way][key.lost_dimensions == 0 ? 1 : 0] += tally.count;
-    if (way == 0 && number == 0) unnamed[static_cast<size_t>(key.from)] += tally.count;
-    auto& place = first[way][number];
-    const auto rank = [](const TallyKey& k, const TransitionPlace& p) {
-      return std::pair(k.lost_dimensions == 0, p.unit);
-    };
-    if (!place || rank(key, tally.first) < rank(place->first, place->second)) place = {key, tally.first};
-  }
-  Table names{"What the rules name where some motion DOF changes",
-              {"sub-skills", "closing, straight", "closing, tilt", "opening, straight", "opening, tilt"},
-              {}};
-  for (const auto& [named, n] : by_names)
-    names.rows.push_back(
-        {SkillNames(named), Digits(n[0][0]), Digits(n[0][1]), Digits(n[1][0]), Digits(n[1][1])});
-  Table numbers{"Acts named: make-contact, detach-contact, slide", {"", "none", "one", "two", "three"}, {}};
-  for (const size_t way : {size_t{0}, size_t{1}}) {
-    auto& row = numbers.rows.emplace_back();
-    row = {way == 0 ? "closing" : "opening"};
-    const uint64_t all = acts[way][0] + acts[way][1] + acts[way][2] + acts[way][3];
-    for (const uint64_t n : acts[way]) row.push_back(Digits(n) + " (" + Share(n, all) + ")");
-  }
-  outcome.tables = {std::move(numbers), std::move(names)};
-  const uint64_t none = acts[0][0] + acts[1][0], one = acts[0][1] + acts[1][1];
-  const uint64_t more = acts[0][2] + acts[0][3] + acts[1][2] + acts[1][3];
-  uint64_t same = 0, ambiguous = 0, critical = 0;
-  for (const bool opens : {false, true}) {
-    same += Sum(counted.total, Measure::kSameDofs, opens, 0, 0, 0);
-    ambiguous += Sum(counted.total, Measure::kAmbiguous, opens, 0, 0, 0);
-    critical += Sum(counted.total, Measure::kCritical, opens, 0, 0, 0);
-  }
-  const uint64_t closing_critical = Sum(counted.total, Measure::kCritical, false, 0, 0, 0);
-  outcome.numbers = {{"no act named", static_cast<long long>(none)},
-                     {"one act named", static_cast<long long>(one)},
-                     {"two acts or more named", static_cast<long long>(more)},
-                     {"make-contact and detach-contact named",
-                      static_cast<long long>(Sum(counted.total, Measure::kMakeAndDetach, false, 0, 0, 0) +
-                                             Sum(counted.total, Measure::kMakeAndDetach, true, 0, 0, 0))},
-                     {"several fall and several rise", static_cast<long long>(ambiguous)},
-                     {"critical", static_cast<long long>(critical)},
-                     {"critical, closing", static_cast<long long>(closing_critical)},
-                     {"no motion DOF changes", static_cast<long long>(same)}};
-  outcome.verdict = none + more == 0 ? Verdict::kHoldsTo : Verdict::kRefuted;
-  const auto example = [&](size_t way, size_t number, const std::string& name, const std::string& caption) {
-    if (first[way][number]) AddExample(counted, id, name, caption, *first[way][number], &outcome);
-  };
-  example(0, 0, "closing-none", "More comes into contact, and no sub-skill is named");
-  example(1, 0, "opening-none", "Contacts open, and no sub-skill is named");
-  example(0, 1, "closing-one", "One act is named");
-  for (const size_t way : {size_t{0}, size_t{1}}) {
-    for (const size_t number : {size_t{2}, size_t{3}})
-      example(way, number, "two-" + std::to_string(2 * way + number), "Several acts are named");
-  }
-  outcome.evidence =
-      "For every transition in which a motion DOF changes, the rules of 2.6 were asked, literally. "
-      "Make-contact in "
-      "translation, in rotation of Type I and of Type II count as one act, and so do the two ways to detach "
-      "and to "
-      "slide.\n\n" +
-      std::string(more == 0 ? "Never do the rules name two acts that differ"
-                            : "In " + Digits(more) + " transitions the rules name two acts or more") +
-      "; they name none in " + Digits(none) + " of " + Digits(none + one + more) +
-      " transitions. Backwards that is meant: leaving a singular relation counts as part of the next "
-      "sub-skill (2.4.4). "
-      "But forwards, " +
-      Digits(acts[0][0]) +
-      " transitions bring more into contact and are named by no rule: from singular relations " +
-      Digits(unnamed[1]) + " into non-singular ones, as when an edge on an edge is laid down flush, and " +
-      Digits(unnamed[3]) +
-      " into singular ones, as when a part runs along an edge and meets a wall; from "
-      "non-singular ones " +
-      Digits(unnamed[0] + unnamed[2]) +
-      ". What a robot does to bring more into contact is a make-contact, and no rule says so there. "
-      "Corrected: a "
-      "transition after which more touches, and that no rule names, is a make-contact.\n\nSeveral indices "
-      "fall "
-      "and several rise in " +
-      Digits(ambiguous) +
-      " transitions; there the text does not say which became which, and only the directions do "
-      "(thesis.2.3.2.make-contact-rule and the claims after it).\n\nCritical are " +
-      Digits(critical) + " transitions, " + Digits(closing_critical) +
-      " of them closing: the narrow entrance is passed when rims are left for the walls, where fewer "
-      "elements touch.";
-  return outcome;
-}
-
 }  // namespace
 
 std::vector<Claim> TransitionFrequencyClaims() {
-  return {{"thesis.2.3.1.seldom",
+  return {{"thesis.2.3.same-elements", "As long as the same elements touch, the motion DOFs stay the same.",
+           "2.3, taken for granted", "symbolic", TrySameElements},
+          {"thesis.2.3.1.seldom",
            "The 20 practical kinds of DOF-transitions appear frequently, the other 10 seldom.",
            "2.3.1, Fig. 2.5", "exhaustive", TrySeldom},
           {"thesis.2.3.1.straight-motions",
@@ -496,8 +309,7 @@ std::vector<Claim> TransitionFrequencyClaims() {
            "non-singular "
            "relations only maintaining DOFs change, to detaching ones.",
            "2.3.1, added", "exhaustive", TryStraightMotions},
-          {"thesis.2.6.rules-decide", "For every change of motion DOFs the rules name one sub-skill.", "2.6",
-           "exhaustive", TryRulesDecide}};
+          RulesDecideClaim()};
 }
 
 }  // namespace tact::provers

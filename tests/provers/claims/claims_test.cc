@@ -62,6 +62,7 @@ const std::map<std::string, Expected>& ExpectedVerdicts() {
       {"thesis.2.3.1.practical-20",
        {kProved, "keeping a singular contact; or a turn and two contacts at once"}},
       {"thesis.2.3.1.one-contact", {kHoldsTo, "one row raises one rank by one"}},
+      {"thesis.2.3.same-elements", {kRefuted, "two lines of contacts cross or not, by where they are"}},
       {"thesis.2.3.1.seldom",
        {Verdict::kNotReproduced,
         "by a straight motion D -> C cannot occur, and along an edge SM -> SD is common"}},
