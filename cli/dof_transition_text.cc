@@ -12,11 +12,11 @@ using algebra::DofTransition;
 using enumerators::DofStepCensus;
 using enumerators::DofStepList;
 using enumerators::FoundStep;
+using enumerators::ShownScene;
+using enumerators::ShownTransition;
 using enumerators::StepDefinition;
 using enumerators::StepWitness;
 using provers::DofTransitionFindings;
-using provers::ShownScene;
-using provers::ShownTransition;
 
 template <typename Numbers>
 std::string List(const Numbers& numbers) {

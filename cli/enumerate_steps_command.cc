@@ -52,9 +52,9 @@ ExitStatus RunEnumerateDofTransitions(const EnumerateOptions& options) {
                                           enumerators::ListDofSteps(steps),
                                           enumerators::CountDirectBlocks(steps),
                                           enumerators::TranslationSteps(kNormals),
-                                          provers::ShowScenes(),
+                                          enumerators::ShowScenes(),
                                           {}};
-  findings.shown = provers::ShownTransitions(findings.scenes);
+  findings.shown = enumerators::ShownTransitions(findings.scenes);
   Output out;
   if (runner.keeps()) {
     runner.Keep("transitions.json", ToJson(findings, options.world));

@@ -6,7 +6,7 @@ std::vector<Claim> AllClaims() {
   std::vector<Claim> all;
   for (auto part :
        {DisplacementClaims(), PropositionClaims(), MotionDofClaims(), DofClassClaims(), DofTransitionClaims(),
-        TransitionFrequencyClaims(), SingularClaims(), PegInsertionClaims()}) {
+        SubSkillRuleClaims(), TransitionFrequencyClaims(), SingularClaims(), PegInsertionClaims()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;

@@ -18,8 +18,10 @@ std::vector<Claim> MotionDofClaims();
 std::vector<Claim> SingularClaims();
 /// [thesis, 2.3]: how many kinds of contact relations there are.
 std::vector<Claim> DofClassClaims();
-/// [thesis, 2.3 and 2.6]: DOF-transitions, the practical ones, and the rules that read them.
+/// [thesis, 2.3]: the thirty DOF-transitions, the practical ones, the thirteen steps between ten kinds.
 std::vector<Claim> DofTransitionClaims();
+/// [thesis, 2.3.2 and 2.6]: the rules that read sub-skills and critical transitions off DOF-transitions.
+std::vector<Claim> SubSkillRuleClaims();
 /// [thesis, 2.3.1 and 2.6]: how often the kinds of DOF-transitions appear, and what the rules make of them.
 std::vector<Claim> TransitionFrequencyClaims();
 /// [thesis, 2.8.2]: the peg insertion and its seven transitions.

@@ -33,8 +33,8 @@ constexpr std::array<const char*, enumerators::kAdditionKinds> kColours = {"#256
 std::string Grouped(uint64_t value) { return GroupedDigits(static_cast<long long>(value)); }
 
 std::string Head(const DofTransitionFindings& findings) {
-  const auto shown =
-      std::ranges::count_if(findings.shown, [](const ShownTransition& s) { return s.scene.has_value(); });
+  const auto shown = std::ranges::count_if(
+      findings.shown, [](const enumerators::ShownTransition& s) { return s.scene.has_value(); });
   const std::string of_thirty =
       static_cast<size_t>(shown) == findings.shown.size()
           ? "all, in translation and in rotation"
@@ -267,17 +267,18 @@ std::string ShownMatrix(const DofTransitionFindings& findings, Motion motion) {
   std::vector<std::string> labels;
   std::vector<std::vector<MatrixCell>> cells(algebra::kDofIndices,
                                              std::vector<MatrixCell>(algebra::kDofIndices));
-  for (int i = 0; i < algebra::kDofIndices; ++i) labels.push_back(Symbol(static_cast<DofIndex>(i)));
-  for (const ShownTransition& shown : findings.shown) {
+  for (int i = 0; i < algebra::kDofIndices; ++i)
+    labels.push_back(enumerators::Symbol(static_cast<DofIndex>(i)));
+  for (const enumerators::ShownTransition& shown : findings.shown) {
     const algebra::DofTransition& t = shown.transition;
     if (t.motion != motion || !shown.scene) continue;
     MatrixCell& cell = cells[static_cast<size_t>(t.from)][static_cast<size_t>(t.to)];
     cell.fill = IsPractical(t) ? "#cfe6d4" : "#f6d9c9";
     cell.text = shown.backwards ? "\u2190" : "\u2192";
     if (!shown.forced) cell.text += "*";
-    const ShownScene& scene = findings.scenes[*shown.scene];
-    cell.title = fmt::format("{} to {}: {}{}", Symbol(t.from), Symbol(t.to), scene.given.story,
-                             shown.backwards ? " Backwards." : "");
+    const enumerators::ShownScene& scene = findings.scenes[*shown.scene];
+    cell.title = fmt::format("{} to {}: {}{}", enumerators::Symbol(t.from), enumerators::Symbol(t.to),
+                             scene.given.story, shown.backwards ? " Backwards." : "");
     cell.link = "#" + SceneId(scene);
   }
   return DrawMatrix(labels, cells, 40, "DOF-transitions in " + ToString(motion));
@@ -305,7 +306,7 @@ std::string Thirty(const DofTransitionFindings& findings) {
                        "shown-" + ToString(motion));
   }
   html += "</div>\n";
-  for (const ShownScene& scene : findings.scenes) html += SceneArticle(scene);
+  for (const enumerators::ShownScene& scene : findings.scenes) html += SceneArticle(scene);
   return html;
 }
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "enumerators/dof_step_list.h"
+#include "enumerators/shown_transitions.h"
 #include "enumerators/translation_steps.h"
-#include "provers/claims/shown_transitions.h"
 
 namespace tact::provers {
 
@@ -17,8 +17,8 @@ struct DofTransitionFindings {
   std::vector<enumerators::DofStepList> lists;           // enumerators::ListDofSteps of it
   std::vector<enumerators::DirectBlocks> direct_blocks;  // enumerators::CountDirectBlocks of it
   std::vector<enumerators::StepDefinition> translation;  // enumerators::TranslationSteps
-  std::vector<ShownScene> scenes;                        // ShowScenes
-  std::vector<ShownTransition> shown;                    // ShownTransitions of them
+  std::vector<enumerators::ShownScene> scenes;           // ShowScenes
+  std::vector<enumerators::ShownTransition> shown;       // ShownTransitions of them
 };
 
 std::string DofTransitionPage(const DofTransitionFindings& findings);

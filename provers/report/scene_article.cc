@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "provers/report/html.h"
-#include "provers/report/solid_drawing.h"
+#include "provers/report/scene_drawing.h"
 #include "provers/report/text.h"
 
 namespace tact::provers {
@@ -46,7 +46,7 @@ std::string PathText(const algebra::MotionPath& path) {
 }
 
 // "in translation and in rotation"
-std::string Motions(const std::vector<DofTransition>& list, const ShownScene& scene) {
+std::string Motions(const std::vector<DofTransition>& list, const enumerators::ShownScene& scene) {
   std::string text;
   for (const Motion motion : {Motion::kTranslation, Motion::kRotation}) {
     if (std::ranges::find(list, DofTransition{motion, scene.given.before, scene.given.after}) != list.end())
@@ -58,39 +58,33 @@ std::string Motions(const std::vector<DofTransition>& list, const ShownScene& sc
 std::string Pairs(const std::vector<DofTransition>& list, Motion motion) {
   std::string text;
   for (const DofTransition& t : list) {
-    if (t.motion == motion) text += (text.empty() ? "" : ", ") + Symbol(t.from) + " \u2192 " + Symbol(t.to);
+    if (t.motion == motion)
+      text +=
+          (text.empty() ? "" : ", ") + enumerators::Symbol(t.from) + " \u2192 " + enumerators::Symbol(t.to);
   }
   return text.empty() ? "none" : text;
 }
 
 // Into a hole one looks over its low walls.
-View ViewOf(const ShownScene& scene) {
+View ViewOf(const enumerators::ShownScene& scene) {
   View view;
   view.width = 340;
   view.height = 320;
-  const bool hole =
-      scene.given.before == DofIndex::kConstraining && scene.given.after != DofIndex::kSingularMaintaining;
+  const auto constrains = [](DofIndex i) {
+    return i == DofIndex::kConstraining || i == DofIndex::kSingularConstraining;
+  };
+  const bool hole = constrains(scene.given.before) && scene.given.after != DofIndex::kSingularMaintaining;
   if (hole) view.toward_viewer = {-0.75, -1, 0.8};
   return view;
 }
 
-// The moving solid at s, and its outline at the other end of the path.
-std::string Draw(const ShownScene& scene, int s, const algebra::ContactRelation& relation) {
-  const algebra::Scene& solids = scene.given.scene;
-  const algebra::Polyhedron moving = algebra::UnionOfHulls(solids.moving_pieces);
-  return DrawContactRelation({{algebra::UnionOfHulls(solids.fixed_pieces), Part::kFixed},
-                              {Transform(moving, solids.path.At(1 - s)), Part::kOutline},
-                              {Transform(moving, solids.path.At(s)), Part::kMoving}},
-                             relation, ViewOf(scene));
-}
-
 }  // namespace
 
-std::string SceneId(const ShownScene& scene) {
-  return "scene-" + Symbol(scene.given.before) + "-" + Symbol(scene.given.after);
+std::string SceneId(const enumerators::ShownScene& scene) {
+  return "scene-" + enumerators::Symbol(scene.given.before) + "-" + enumerators::Symbol(scene.given.after);
 }
 
-std::string SceneArticle(const ShownScene& scene) {
+std::string SceneArticle(const enumerators::ShownScene& scene) {
   const DofIndex before = scene.given.before, after = scene.given.after;
   const std::string id = SceneId(scene);
   std::string html = fmt::format(
@@ -108,9 +102,12 @@ std::string SceneArticle(const ShownScene& scene) {
   fact("All directions of translation", Pairs(scene.by_direction, Motion::kTranslation));
   fact("Of rotation", Pairs(scene.by_direction, Motion::kRotation));
   html += "</dl>\n<div class=\"figures\">\n";
-  html +=
-      FigureHtml({"Start (s = 0), " + Dofs(scene.dof_before), Draw(scene, 0, scene.before)}, id + "-start");
-  html += FigureHtml({"End (s = 1), " + Dofs(scene.dof_after), Draw(scene, 1, scene.after)}, id + "-end");
+  html += FigureHtml({"Start (s = 0), " + Dofs(scene.dof_before),
+                      DrawScene(scene.given.scene, 0, scene.before, ViewOf(scene))},
+                     id + "-start");
+  html += FigureHtml(
+      {"End (s = 1), " + Dofs(scene.dof_after), DrawScene(scene.given.scene, 1, scene.after, ViewOf(scene))},
+      id + "-end");
   return html + "</div>\n</article>\n";
 }
 

@@ -4,12 +4,12 @@
 
 #include <string>
 
-#include "provers/claims/shown_transitions.h"
+#include "enumerators/shown_transitions.h"
 
 namespace tact::provers {
 
 /// The article's id: "scene-M-SD".
-std::string SceneId(const ShownScene& scene);
-std::string SceneArticle(const ShownScene& scene);
+std::string SceneId(const enumerators::ShownScene& scene);
+std::string SceneArticle(const enumerators::ShownScene& scene);
 
 }  // namespace tact::provers

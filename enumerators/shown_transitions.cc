@@ -1,11 +1,11 @@
-#include "provers/claims/shown_transitions.h"
+#include "enumerators/shown_transitions.h"
 
 #include <algorithm>
 
 #include "algebra/contact/dof_pairing.h"
 #include "algebra/error.h"
 
-namespace tact::provers {
+namespace tact::enumerators {
 namespace {
 
 using algebra::DofIndex;
@@ -69,4 +69,4 @@ std::vector<ShownTransition> ShownTransitions(const std::vector<ShownScene>& sce
   return shown;
 }
 
-}  // namespace tact::provers
+}  // namespace tact::enumerators

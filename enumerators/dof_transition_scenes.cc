@@ -1,6 +1,6 @@
-#include "provers/claims/dof_transition_scenes.h"
+#include "enumerators/dof_transition_scenes.h"
 
-namespace tact::provers {
+namespace tact::enumerators {
 namespace {
 
 using algebra::MotionPath;
@@ -42,11 +42,11 @@ Piece Ceiling() { return Box({-3, -3, 4}, {3, 3, 5}); }
 // Its rim is the bar's bottom edge.
 Piece HalfFloor() { return Box({-3, 0, -1}, {3, 3, 0}); }
 
-// Four posts about the peg, not joined; the two at x, y = -1 end at the height `low`.
-std::vector<Piece> Posts(int low) {
+// Four posts about the peg, not joined; the two at x, y = -1 end at the height `low`, the others at `high`.
+std::vector<Piece> Posts(int low, int high) {
   const Rational r(1, 2);
-  return {Box({-3, -r, -4}, {-1, r, low}), Box({-r, -3, -4}, {r, -1, low}), Box({1, -r, -4}, {3, r, 5}),
-          Box({-r, 1, -4}, {r, 3, 5})};
+  return {Box({-3, -r, -4}, {-1, r, low}), Box({-r, -3, -4}, {r, -1, low}), Box({1, -r, -4}, {3, r, high}),
+          Box({-r, 1, -4}, {r, 3, high})};
 }
 
 std::vector<Piece> With(std::vector<Piece> pieces, const std::vector<Piece>& more) {
@@ -71,7 +71,7 @@ MotionPath Spin() { return MotionPath::Rotation({0, 0, 2}, {Rational(1, 4), 0, 0
 
 std::vector<DofTransitionScene> DofTransitionScenes() {
   const auto down = MotionPath::Line({0, 0, -1}), up = MotionPath::Line({0, 0, 1});
-  const Piece tip_level = Arm({4, 0, 2}, 2), tip_aside = Arm({4, 2, 2}, 2), tip_low = Arm({4, 0, 0}, 1);
+  const Piece tip_level = Arm({4, 0, 2}, 2), tip_aside = Arm({4, 2, 2}, 2);
   return {
       {kMaintaining, kDetaching, "A bar comes down until an edge lies on the floor.",
        EndingAt({Bar()}, {Floor()}, down)},
@@ -102,21 +102,25 @@ std::vector<DofTransitionScene> DofTransitionScenes() {
        EndingAt({Bar()}, {Box({-3, -3, -1}, {3, -1, 2}), Box({-3, 1, -1}, {3, 3, 2})}, up)},
       {kConstraining, kSingularDetaching,
        "A peg rises between four posts until it is level with the rims of the two low ones.",
-       EndingAt({Peg()}, Posts(0), up)},
+       EndingAt({Peg()}, Posts(0, 5), up)},
       {kConstraining, kSingularConstraining,
        "A peg rises between four posts until the tip on its head meets a rim.",
        EndingAt({Peg(), {{0, 0, 6}, {1, 1, 4}, {-1, 1, 4}, {-1, -1, 4}, {1, -1, 4}}},
-                With(Posts(5), {Box({0, -3, 6}, {3, 3, 7})}), up)},
+                With(Posts(5, 5), {Box({0, -3, 6}, {3, 3, 7})}), up)},
       {kSingularMaintaining, kSingularDetaching,
        "With the tip of its arm on an upright edge, a bar comes down on the floor.",
        EndingAt({Bar(), tip_level}, {Floor(), Box({4, 0, 0}, {5, 2, 4})}, down)},
-      {kSingularMaintaining, kSingularConstraining,
-       "With the tip of its arm on a rim, a bar turns upright and gets stuck between floor and ceiling.",
-       EndingAt({Bar(), tip_level}, {Floor(), Ceiling(), Box({4, -1, 0}, {5, 1, 2})}, Spin())},
-      {kSingularDetaching, kSingularConstraining,
-       "With the tip of its arm on a rim, a bar rolls on its bottom edge until the top edge meets the "
-       "ceiling.",
-       EndingAt({Bar(), tip_low}, {Floor(), Ceiling(), Box({4, -1, -1}, {5, 1, 0})}, Roll())},
+      {kSingularConstraining, kSingularMaintaining,
+       "With the tip of its arm on an upright edge, a bar between two walls rises until both sides are at "
+       "the walls' rims.",
+       EndingAt({Bar(), tip_level},
+                {Box({-3, -3, -1}, {3, -1, 2}), Box({-3, 1, -1}, {3, 3, 2}), Box({4, 0, 0}, {5, 2, 4})}, up)},
+      {kSingularConstraining, kSingularDetaching,
+       "With the tip of its head on an upright edge, a peg rises between four posts until it is level with "
+       "the rims of the two "
+       "low ones.",
+       EndingAt({Peg(), {{2, 2, 5}, {1, 1, 4}, {-1, 1, 4}, {-1, -1, 4}, {1, -1, 4}}},
+                With(Posts(0, 2), {Box({2, 2, 3}, {4, 4, 7})}), up)},
   };
 }
 
@@ -124,4 +128,4 @@ algebra::Scene RollIntoTheCorner() {
   return EndingAt({Bar()}, {Floor(), Ceiling(), Box({-3, -3, 0}, {3, -1, 4})}, Roll());
 }
 
-}  // namespace tact::provers
+}  // namespace tact::enumerators

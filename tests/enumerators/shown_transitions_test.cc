@@ -1,10 +1,10 @@
-#include "provers/claims/shown_transitions.h"
+#include "enumerators/shown_transitions.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-namespace tact::provers {
+namespace tact::enumerators {
 namespace {
 
 const std::vector<ShownScene>& Scenes() {
@@ -53,4 +53,4 @@ TEST(ShownTransitions, WithoutScenesNothingIsShown) {
 }
 
 }  // namespace
-}  // namespace tact::provers
+}  // namespace tact::enumerators

@@ -10,7 +10,7 @@
 #include "algebra/contact/dof_transition.h"
 #include "algebra/contact/scene.h"
 
-namespace tact::provers {
+namespace tact::enumerators {
 
 struct DofTransitionScene {
   algebra::DofIndex before, after;  // forwards
@@ -18,11 +18,11 @@ struct DofTransitionScene {
   algebra::Scene scene;
 };
 
-/// In the order of the indices.
+/// By pair of indices, in their order.
 std::vector<DofTransitionScene> DofTransitionScenes();
 
 /// A bar rolls on its bottom edge until its top edge meets the ceiling and its side a wall, both at once: a free direction
 /// becomes one-sided, a one-sided one is blocked, and the counts show a free one blocked.
 algebra::Scene RollIntoTheCorner();
 
-}  // namespace tact::provers
+}  // namespace tact::enumerators

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "provers/claims/dof_transition_scenes.h"
+#include "enumerators/dof_transition_scenes.h"
 
-namespace tact::provers {
+namespace tact::enumerators {
 
 /// "M", "D", "C", "SM", "SD", "SC".
 std::string Symbol(algebra::DofIndex index);
@@ -36,4 +36,4 @@ struct ShownTransition {
 /// the one made for it.
 std::vector<ShownTransition> ShownTransitions(const std::vector<ShownScene>& scenes);
 
-}  // namespace tact::provers
+}  // namespace tact::enumerators
