@@ -55,5 +55,7 @@ ExitStatus RunRecognize(const FileOptions& options);
 ExitStatus RunVerify(const VerifyOptions& options);
 /// The exact list of DOF classes, with witnesses from a finite world.
 ExitStatus RunEnumerateDofClasses(const EnumerateOptions& options);
+/// Steps between contact relations, and the DOF-transitions that solids show.
+ExitStatus RunEnumerateDofTransitions(const EnumerateOptions& options);
 
 }  // namespace tact::cli

@@ -5,19 +5,13 @@
 #include <algorithm>
 
 #include "cli/json_text.h"
+#include "cli/text_pieces.h"
 
 namespace tact::cli {
 namespace {
 
 using enumerators::DofClassList;
 using enumerators::FoundClass;
-
-template <typename List, typename Print>
-std::string Join(const List& list, const char* between, const Print& print) {
-  std::string text;
-  for (const auto& item : list) text += (text.empty() ? "" : between) + print(item);
-  return text;
-}
 
 std::string Numbers(const std::vector<int>& values) {
   return Join(values, ",", [](int value) { return std::to_string(value); });
@@ -75,10 +69,8 @@ std::string ToCsv(const DofClassAnswer& answer) {
   std::string csv = Join(finest.definition->indices, ",", [](const std::string& name) { return name; }) +
                     ",relations,contacts,witness\n";
   for (const FoundClass& found : finest.found) {
-    std::string witness;
-    for (const char c : Witness(answer, found)) witness += c == '"' ? "\"\"" : std::string(1, c);
-    csv +=
-        fmt::format("{},{},{},\"{}\"\n", Numbers(found.values), found.count, found.witness.size(), witness);
+    csv += fmt::format("{},{},{},{}\n", Numbers(found.values), found.count, found.witness.size(),
+                       CsvString(Witness(answer, found)));
   }
   return csv;
 }

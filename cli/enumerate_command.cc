@@ -6,6 +6,7 @@
 #include "cli/dof_class_text.h"
 #include "cli/output.h"
 #include "cli/unit_run.h"
+#include "cli/world_option.h"
 #include "enumerators/dof_counts_text.h"
 #include "provers/report/dof_class_page.h"
 
@@ -15,18 +16,9 @@ namespace {
 using enumerators::DofCensus;
 
 DofCensus MakeCensus(const EnumerateOptions& options) {
-  const std::vector<std::string> names = enumerators::WorldNames();
-  if (std::ranges::find(names, options.world) == names.end()) {
-    std::string list;
-    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-    throw InputError("--world: expected one of " + list + ", got " + options.world);
-  }
-  if (options.contacts < 0)
-    throw InputError("--contacts: expected 0 or more, got " + std::to_string(options.contacts));
-  const size_t all = enumerators::NamedWorld(options.world, 0).contacts.size();
-  const size_t largest = std::min(static_cast<size_t>(options.contacts), all);
+  enumerators::ContactWorld world = ReadWorld(options, 0);
   try {
-    return DofCensus(enumerators::NamedWorld(options.world, largest));
+    return DofCensus(std::move(world));
   } catch (const PreconditionError& error) {
     throw InputError("--contacts: expected a world that can be counted, got " + std::string(error.what()));
   }

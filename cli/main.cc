@@ -69,6 +69,23 @@ constexpr const char* kDofClassesHelp =
     "DIR gets index.html, classes.json and classes.csv; its folder work keeps what is computed.\n"
     "Example: tact enumerate dof-classes --world cube --contacts 8 -o classes";
 
+constexpr const char* kDofTransitionsHelp =
+    "Steps between contact relations when something more touches; read backwards, when something parts:\n"
+    "  - between the ten kinds in translation, by what counts as a step;\n"
+    "  - between the DOF classes of all sets of fewer than so many contacts of a small world (as in tact\n"
+    "    enumerate dof-classes), each with every contact, edge and face of the world more;\n"
+    "  - the thirty DOF-transitions, in translation and in rotation, shown by solids and exact motions.\n"
+    "DIR gets index.html, transitions.json and transitions.csv; its folder work keeps what is computed.\n"
+    "JSON: "
+    "{\"translation_steps\":[{\"definition\",\"pairs\",\"list\"}],\"class_steps\":[{\"added\",\"steps\",\n"
+    "  "
+    "\"definitions\":[{\"name\",\"indices\",\"pairs\",\"within\",\"list\":[{\"from\",\"to\",\"count\","
+    "\"witness\"}]}]}],\n"
+    "  \"maintaining_to_constraining\":[{\"added\",\"motion\",\"steps\",\"witness\"}],\n"
+    "  \"dof_transitions\":[{\"motion\",\"from\",\"to\",\"practical\",\"occurs\",\"forced_by_counts\","
+    "\"witness\"}],...}\n"
+    "Example: tact enumerate dof-transitions --world cube --contacts 5 -o transitions";
+
 std::string CommandNames(const CLI::App& app) {
   std::string names;
   for (const CLI::App* command : app.get_subcommands({}))
@@ -87,7 +104,8 @@ struct Request {
   FileOptions file;
   ContactsOptions contacts;
   VerifyOptions verify;
-  EnumerateOptions enumerate;
+  EnumerateOptions classes;
+  EnumerateOptions transitions;
   std::function<ExitStatus()> run;
 };
 
@@ -142,6 +160,20 @@ void AddRunOptions(CLI::App& parser, EnumerateOptions& options) {
   parser.add_flag("--yes", options.yes, "start however long it takes");
 }
 
+void AddEnumeration(CLI::App& enumerate, Request& request, EnumerateOptions& options, const char* name,
+                    const char* summary, const char* footer, ExitStatus (*run)(const EnumerateOptions&)) {
+  CLI::App* parser = enumerate.add_subcommand(name, summary);
+  parser->footer(footer);
+  parser->add_option("--world", options.world, "where witnesses are searched: corner, cube, axis or diagonal")
+      ->capture_default_str();
+  parser->add_option("--contacts", options.contacts, "contacts in a relation, at most")
+      ->capture_default_str();
+  CLI::Option* json = parser->add_flag("--json", options.json, "answer in JSON");
+  parser->add_flag("--csv", options.csv, "answer with a line a class, or a pair of classes")->excludes(json);
+  AddRunOptions(*parser, options);
+  parser->callback([&request, &options, run] { request.run = [&options, run] { return run(options); }; });
+}
+
 void AddEnumerateCommand(CLI::App& app, Request& request) {
   CLI::App* parser =
       app.add_subcommand("enumerate", "All kinds of something, each with a count and a smallest witness");
@@ -152,20 +184,13 @@ void AddEnumerateCommand(CLI::App& app, Request& request) {
     throw CLI::RequiredError("expected what to enumerate, one of " + CommandNames(*parser) + ", got none",
                              CLI::ExitCodes::RequiredError);
   });
-  EnumerateOptions& options = request.enumerate;
-  CLI::App* classes =
-      parser->add_subcommand("dof-classes", "The motion DOFs that contact relations can have: an exact list");
-  classes->footer(kDofClassesHelp);
-  classes
-      ->add_option("--world", options.world, "where witnesses are searched: corner, cube, axis or diagonal")
-      ->capture_default_str();
-  classes->add_option("--contacts", options.contacts, "contacts in a relation, at most")
-      ->capture_default_str();
-  CLI::Option* json = classes->add_flag("--json", options.json, "answer in JSON");
-  classes->add_flag("--csv", options.csv, "answer with a line a class")->excludes(json);
-  AddRunOptions(*classes, options);
-  classes->callback(
-      [&request] { request.run = [&request] { return RunEnumerateDofClasses(request.enumerate); }; });
+  AddEnumeration(*parser, request, request.classes, "dof-classes",
+                 "The motion DOFs that contact relations can have: an exact list", kDofClassesHelp,
+                 RunEnumerateDofClasses);
+  request.transitions.contacts = 6;  // a few seconds' work
+  AddEnumeration(*parser, request, request.transitions, "dof-transitions",
+                 "Steps between contact relations, and the thirty DOF-transitions as solids that move",
+                 kDofTransitionsHelp, RunEnumerateDofTransitions);
 }
 
 void AddCommands(CLI::App& app, Request& request) {

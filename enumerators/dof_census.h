@@ -1,7 +1,7 @@
 /// @file
 /// The DOF classes that a finite world of contacts has, with how many relations each and a smallest witness.
-/// Model   A relation here is a set of at most `largest` contacts of the world, none twice. Canonical order: fewer contacts
-///         first, then lexicographic by contact indices. A witness is the first of its class.
+/// Model   A relation here is a set of at most `largest` contacts of the world, none twice, in canonical order
+///         (contact_sets.h). A witness is the first of its class.
 /// Units   The order is cut into units of kUnitSize relations; units can be counted in any order, by any number of
 ///         threads or machines, and merged: the result is the same.
 /// Cost    about 2 microseconds a relation of 8 contacts; a unit allocates a few times, a relation not at all.
@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "algebra/contact/motion_dof.h"
-#include "enumerators/contact_world.h"
+#include "enumerators/contact_sets.h"
 
 namespace tact::enumerators {
 
@@ -33,8 +33,8 @@ class DofCensus {
 
   const ContactWorld& world() const { return world_; }
   /// Sets of at most `largest` contacts.
-  uint64_t relations() const { return relations_; }
-  size_t units() const { return static_cast<size_t>((relations_ + kUnitSize - 1) / kUnitSize); }
+  uint64_t relations() const { return sets_.size(); }
+  size_t units() const { return static_cast<size_t>((relations() + kUnitSize - 1) / kUnitSize); }
 
   /// The relations from unit * kUnitSize on. PreconditionError: no such unit.
   DofCounts CountUnit(size_t unit) const;
@@ -48,16 +48,9 @@ class DofCensus {
   algebra::ContactRelation Relation(const std::vector<size_t>& contacts) const;
 
  private:
-  std::vector<size_t> Unrank(uint64_t rank) const;
-
   ContactWorld world_;
-  std::vector<int64_t> rows_;                  // six a contact
-  std::vector<std::vector<uint64_t>> choose_;  // choose_[n][k]
-  std::vector<uint64_t> smaller_;              // relations with fewer than k contacts
-  uint64_t relations_ = 0;
+  std::vector<int64_t> rows_;  // six a contact
+  ContactSets sets_;
 };
-
-/// Whether one relation comes before another in canonical order.
-bool ComesBefore(const std::vector<size_t>& a, const std::vector<size_t>& b);
 
 }  // namespace tact::enumerators

@@ -105,6 +105,14 @@ KindSteps Filter(const KindSteps& steps, bool (*keep)(const TranslationKind&, co
 
 }  // namespace
 
+std::vector<TranslationKind> TranslationKinds() {
+  std::vector<TranslationKind> kinds;
+  for (int m = 3; m >= 0; --m) {
+    for (int d = 3 - m; d >= 0; --d) kinds.push_back({m, d, 3 - m - d});
+  }
+  return kinds;
+}
+
 std::vector<StepDefinition> TranslationSteps(size_t largest) {
   Walk walk(largest);
   walk.Run();

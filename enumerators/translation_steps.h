@@ -15,6 +15,9 @@ namespace tact::enumerators {
 
 /// Maintaining, detaching, constraining.
 using TranslationKind = std::array<int, 3>;
+/// The ten, those with more maintaining, then more detaching DOFs first: steps lead to later ones.
+std::vector<TranslationKind> TranslationKinds();
+
 using KindSteps = std::set<std::pair<TranslationKind, TranslationKind>>;
 
 struct StepDefinition {

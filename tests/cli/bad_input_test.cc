@@ -226,7 +226,7 @@ TEST(BadInput, TolerancesThatMeanNothingAreRefused) {
 
 TEST(BadInput, CommandsAndOptionsThatAreNoneAreNamed) {
   ExpectRefused({"frobnicate"},
-                "expected a command, one of dof, modes, contacts, recognize, verify, got 'frobnicate'; tact "
+                "expected a command, one of dof, modes, contacts, recognize, verify, enumerate, got 'frobnicate'; tact "
                 "--help says more");
   ExpectRefused({"dof", "--wrong", "-"},
                 "The following argument was not expected: --wrong; tact dof --help says more");

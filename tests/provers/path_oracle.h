@@ -4,6 +4,8 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -35,7 +37,10 @@ inline std::optional<std::vector<Points>> Pieces(const json& written) {
       if (!point) return std::nullopt;
       piece.push_back(*point);
     }
-    if (algebra::ConvexHull(piece).points != piece) return std::nullopt;
+    static std::map<Points, bool> known;
+    const auto [corners, is_new] = known.try_emplace(piece);
+    if (is_new) corners->second = algebra::ConvexHull(piece).points == piece;
+    if (!corners->second) return std::nullopt;
   }
   return pieces;
 }
@@ -137,6 +142,24 @@ inline std::set<std::pair<Vector3, PlaneSet>> Minimal(const std::vector<algebra:
   return kept;
 }
 
+/// The contacts of two pieces at a place of a path without events, else nothing; kept for the next call.
+inline const std::optional<std::vector<algebra::Contact>>& Followed(const std::string& what,
+                                                                    const Points& moving, const Points& fixed,
+                                                                    const MotionPath& path,
+                                                                    const Rational& place) {
+  static std::map<std::string, bool> events;
+  static std::map<std::string, std::optional<std::vector<algebra::Contact>>> known;
+  const auto [contacts, is_new] = known.try_emplace(what + place.ToString());
+  if (is_new) {
+    const auto one = algebra::UnionOfHulls({moving}), other = algebra::UnionOfHulls({fixed});
+    const auto [event, first] = events.try_emplace(what);
+    if (first) event->second = FollowPath(one, other, path).event.has_value();
+    if (!event->second)
+      contacts->second = FindContacts(Transform(one, path.At(place)), other, 0).relation.contacts;
+  }
+  return contacts->second;
+}
+
 inline bool GeometryIsRight(const json& c) {
   const auto moving = Pieces(c["moving"]), fixed = Pieces(c["fixed"]);
   const auto path = PathOf(c["path"]);
@@ -156,13 +179,12 @@ inline bool GeometryIsRight(const json& c) {
   std::vector<std::vector<algebra::Contact>> found(places.size());
   for (size_t i = 0; i < moving->size(); ++i) {
     for (size_t j = 0; j < fixed->size(); ++j) {
-      const Points &m = (*moving)[i], &f = (*fixed)[j];
-      if (!PlanesAreRight(c["planes"][i][j], m, f, *path)) return false;
-      const auto one = algebra::UnionOfHulls({m}), other = algebra::UnionOfHulls({f});
-      if (FollowPath(one, other, *path).event) return false;
+      if (!PlanesAreRight(c["planes"][i][j], (*moving)[i], (*fixed)[j], *path)) return false;
+      const std::string what = c["moving"][i].dump() + c["fixed"][j].dump() + c["path"].dump();
       for (size_t k = 0; k < places.size(); ++k) {
-        const auto here = FindContacts(Transform(one, path->At(places[k])), other, 0).relation.contacts;
-        found[k].insert(found[k].end(), here.begin(), here.end());
+        const auto& here = Followed(what, (*moving)[i], (*fixed)[j], *path, places[k]);
+        if (!here) return false;
+        found[k].insert(found[k].end(), here->begin(), here->end());
       }
     }
   }
