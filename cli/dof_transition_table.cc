@@ -17,7 +17,7 @@ using enumerators::ShownTransition;
 using enumerators::StepDefinition;
 using enumerators::TranslationKind;
 using provers::DofTransitionFindings;
-using provers::Symbol;
+using enumerators::Symbol;
 
 std::string KindText(const TranslationKind& kind) {
   return fmt::format("{} {} {}", kind[0], kind[1], kind[2]);
@@ -94,7 +94,7 @@ std::string ShownMatrices(const DofTransitionFindings& findings) {
     for (std::string& row : rows) row.resize(motion == Motion::kTranslation ? 0 : 48, ' ');
     rows[0] += fmt::format("{:<11}", ToString(motion));
     for (int i = 0; i < algebra::kDofIndices; ++i) {
-      const std::string name = enumerators::Symbol(static_cast<DofIndex>(i));
+      const std::string name = Symbol(static_cast<DofIndex>(i));
       rows[0] += fmt::format("{:^5}", name);
       rows[1 + i] += fmt::format("{:>10} ", name);
       for (int j = 0; j < algebra::kDofIndices; ++j) {
@@ -120,8 +120,8 @@ std::string ShownMatrices(const DofTransitionFindings& findings) {
 std::string Stories(const DofTransitionFindings& findings) {
   std::string list = "The motions, each shown forwards and backwards\n";
   for (const ShownScene& scene : findings.scenes) {
-    list += fmt::format("{:>4} - {:<2}  {}\n", enumerators::Symbol(scene.given.before),
-                        enumerators::Symbol(scene.given.after), scene.given.story);
+    list += fmt::format("{:>4} - {:<2}  {}\n", Symbol(scene.given.before),
+                        Symbol(scene.given.after), scene.given.story);
   }
   return list;
 }

@@ -129,9 +129,10 @@ Outcome TryRulesDecide(Effort effort) {
       "Corrected: a transition after which more touches, and that no rule names, is a make-contact.\n\nThe "
       "second rule, read by counts, names detach-contact in " +
       Digits(misnamed) +
-      " transitions that bring more into contact: a singular relation's SM and SD become M and D, and by "
-      "direction SD "
-      "becomes D, not M. Corrected: pair by direction.\n\nSeveral indices fall and several rise in " +
+      " transitions that bring more into contact, most of them where a singular relation's SM and SD become "
+      "M and "
+      "D: by direction SD becomes D there, not M. Corrected: pair by direction.\n\nSeveral indices fall and "
+      "several rise in " +
       Digits(ambiguous) +
       " transitions; there the text does not say which became which, and only the directions do "
       "(thesis.2.3.2.make-contact-rule and the claims after it).\n\nCritical are " +
