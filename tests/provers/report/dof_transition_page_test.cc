@@ -20,9 +20,9 @@ struct Made {
                                    enumerators::ListDofSteps(steps),
                                    enumerators::CountDirectBlocks(steps),
                                    enumerators::TranslationSteps(4),
-                                   ShowScenes(),
+                                   enumerators::ShowScenes(),
                                    {}};
-    findings.shown = ShownTransitions(findings.scenes);
+    findings.shown = enumerators::ShownTransitions(findings.scenes);
     pairs = CountPairs(findings.lists, enumerators::DofDefinitions().size() - 1);
     page = DofTransitionPage(findings);
   }
