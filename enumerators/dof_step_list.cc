@@ -56,7 +56,8 @@ std::vector<DirectBlocks> CountDirectBlocks(const DofSteps& steps) {
   std::vector<DirectBlocks> blocks;
   for (size_t kind = 0; kind < kAdditionKinds; ++kind) {
     for (const algebra::Motion motion : {algebra::Motion::kTranslation, algebra::Motion::kRotation}) {
-      DirectBlocks& block = blocks.emplace_back(static_cast<AdditionKind>(kind), motion, 0, std::nullopt);
+      blocks.push_back({static_cast<AdditionKind>(kind), motion, 0, std::nullopt});
+      DirectBlocks& block = blocks.back();
       for (const DofStep& step : steps) {
         const auto before = Indices(classes[step.before], motion),
                    after = Indices(classes[step.after], motion);

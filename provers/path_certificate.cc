@@ -98,12 +98,13 @@ Contacts ContactsOfPieces(const std::vector<PolygonSoup>& moving, const std::vec
         all.insert(Bare(contact));
     }
   }
-  for (const auto& [point, planes] : all) {
+  for (const PointAndPlanes& one : all) {
+    const auto& planes = one.second;
     const bool implied = std::any_of(all.begin(), all.end(), [&](const PointAndPlanes& other) {
-      return other.first == point && other.second.size() < planes.size() &&
+      return other.first == one.first && other.second.size() < planes.size() &&
              std::includes(planes.begin(), planes.end(), other.second.begin(), other.second.end());
     });
-    if (!implied) kept.insert({point, planes});
+    if (!implied) kept.insert(one);
   }
   return kept;
 }
