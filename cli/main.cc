@@ -230,6 +230,14 @@ int Run(int argc, char** argv) {
     return ReportUsage("expected a command, one of " + CommandNames(app) + ", got '" + std::string(argv[1]) +
                        "'");
   }
+  if (argc > 2 && argv[1] == std::string("enumerate") && argv[2][0] != '-') {
+    const CLI::App& enumerate = *app.get_subcommand("enumerate");
+    if (!IsCommand(enumerate, argv[2])) {
+      return ReportUsage("expected what to enumerate, one of " + CommandNames(enumerate) + ", got '" +
+                             std::string(argv[2]) + "'",
+                         "enumerate");
+    }
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
