@@ -4,6 +4,7 @@
 
 #include "algebra/contact/motion_path.h"
 #include "enumerators/lattice_solid.h"
+#include "enumerators/shown_transitions.h"
 #include "provers/claims/census.h"
 #include "provers/claims/claims.h"
 #include "provers/claims/transition_counting.h"
@@ -20,7 +21,7 @@ using enumerators::Measure;
 using enumerators::TransitionCount;
 
 constexpr std::array<Motion, 2> kMotions = {Motion::kTranslation, Motion::kRotation};
-const std::vector<std::string> kNames = {"M", "D", "C", "SM", "SD", "SC"};
+std::string Name(int index) { return enumerators::Symbol(static_cast<DofIndex>(index)); }
 
 bool Practical(int from, int to) {
   return algebra::IsPractical({Motion::kTranslation, static_cast<DofIndex>(from), static_cast<DofIndex>(to)});
@@ -38,8 +39,7 @@ Table KindTable(const CountedFamilies& counted, int motion) {
     for (int to = 0; to < kDofIndices; ++to) {
       if (from == to) continue;
       auto& row = table.rows.emplace_back();
-      row = {kNames[static_cast<size_t>(from)] + " -> " + kNames[static_cast<size_t>(to)],
-             Practical(from, to) ? "yes" : "no",
+      row = {Name(from) + " -> " + Name(to), Practical(from, to) ? "yes" : "no",
              Digits(Sum(counted.total, Measure::kByDirection, false, motion, from, to)),
              Digits(Sum(counted.total, Measure::kByDirection, true, motion, from, to))};
       for (const FamilyCount& family : counted.families)
@@ -58,8 +58,7 @@ Table PassageTable(const CountedFamilies& counted) {
   for (int a = 0; a < kDofIndices; ++a) {
     for (int b = a + 1; b < kDofIndices; ++b) {
       auto& row = table.rows.emplace_back();
-      row = {kNames[static_cast<size_t>(a)] + " - " + kNames[static_cast<size_t>(b)],
-             Practical(a, b) ? "yes" : "no"};
+      row = {Name(a) + " - " + Name(b), Practical(a, b) ? "yes" : "no"};
       for (int motion = 0; motion < 2; ++motion) {
         for (const int lost : {1, 2, 3, 0}) {
           row.push_back(Digits(counted.total.Count({Measure::kByDirection, lost, false, motion, a, b}) +
@@ -79,8 +78,7 @@ Table ReadingTable(const CountedFamilies& counted) {
   for (int a = 0; a < kDofIndices; ++a) {
     for (int b = a + 1; b < kDofIndices; ++b) {
       auto& row = table.rows.emplace_back();
-      row = {kNames[static_cast<size_t>(a)] + " - " + kNames[static_cast<size_t>(b)],
-             Practical(a, b) ? "yes" : "no"};
+      row = {Name(a) + " - " + Name(b), Practical(a, b) ? "yes" : "no"};
       for (const Measure measure :
            {Measure::kByDirection, Measure::kForced, Measure::kAllPairs, Measure::kOnlyByCounts}) {
         uint64_t sum = 0;
@@ -110,14 +108,14 @@ Figure MatrixFigure(const TransitionCount& count, bool opens) {
     }
     panels.push_back(std::move(panel));
   }
+  std::vector<std::string> names;
+  for (int i = 0; i < kDofIndices; ++i) names.push_back(Name(i));
   return {opens ? "The same motions backwards: out of the formation where more touches."
                 : "How often which DOF becomes which, by direction, when more comes into contact.",
-          DrawCountMatrix(kNames, panels, impractical, "not among the 20 practical kinds of Fig. 2.5")};
+          DrawCountMatrix(names, panels, impractical, "not among the 20 practical kinds of Fig. 2.5")};
 }
 
-std::string PairName(int from, int to) {
-  return kNames[static_cast<size_t>(from)] + " - " + kNames[static_cast<size_t>(to)];
-}
+std::string PairName(int from, int to) { return Name(from) + " - " + Name(to); }
 
 struct Range {
   uint64_t least = std::numeric_limits<uint64_t>::max(), most = 0, never = 0, kinds = 0;
@@ -204,9 +202,8 @@ Outcome TrySeldom(Effort effort) {
       const auto at = FirstPlace(counted.total, Measure::kByDirection, opens, 0, common.first, common.second);
       if (!at) continue;
       AddExample(counted, id, "impractical",
-                 kNames[static_cast<size_t>(common.first)] + " -> " +
-                     kNames[static_cast<size_t>(common.second)] + ", impractical and often met",
-                 *at, &outcome);
+                 Name(common.first) + " -> " + Name(common.second) + ", impractical and often met", *at,
+                 &outcome);
       break;
     }
   }
