@@ -83,10 +83,6 @@ TransitionCount CountTransitions(const SolidPair& pair, size_t unit);
 /// Adds the part's counts; of two first places the one of the smaller unit stays.
 void Merge(TransitionCount* total, const TransitionCount& part);
 
-/// A JSON array of integers, the same for equal counts; and back. PreconditionError: not such a text.
-std::string ToText(const TransitionCount& count);
-TransitionCount FromText(const std::string& text);
-
 /// The moving solid's poses where more touches, and where less.
 struct PlacePoses {
   algebra::Pose border, open;

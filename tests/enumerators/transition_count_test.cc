@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "algebra/contact/dof_pairing.h"
-#include "algebra/error.h"
 #include "enumerators/lattice_solid.h"
 
 namespace tact::enumerators {
@@ -119,21 +118,6 @@ TEST(TransitionCount, UnitsMergeInAnyOrder) {
   for (const TransitionCount& count : SmallUnits()) Merge(&forwards, count);
   for (auto count = SmallUnits().rbegin(); count != SmallUnits().rend(); ++count) Merge(&backwards, *count);
   EXPECT_EQ(forwards, backwards);
-  EXPECT_EQ(ToText(forwards), ToText(backwards));
-}
-
-TEST(TransitionCount, TextRoundTrip) {
-  for (const TransitionCount& count : SmallUnits()) EXPECT_EQ(FromText(ToText(count)), count);
-}
-
-TEST(TransitionCount, OtherTextIsRefused) {
-  const std::string text = ToText(SmallUnits().front());
-  EXPECT_THROW(FromText(""), PreconditionError);
-  EXPECT_THROW(FromText("[1]"), PreconditionError);
-  EXPECT_THROW(FromText("[2" + text.substr(2)), PreconditionError);
-  EXPECT_THROW(FromText(text.substr(0, text.size() / 2)), PreconditionError);
-  EXPECT_THROW(FromText(text.substr(0, text.size() - 1) + ",7]"), PreconditionError);
-  EXPECT_THROW(FromText("[1,x]"), PreconditionError);
 }
 
 // Every first place is where it says: the relations there have such a transition.
