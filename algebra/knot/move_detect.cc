@@ -1,0 +1,105 @@
+// Which single moves turn one P-data into another.
+#include <algorithm>
+#include <initializer_list>
+
+#include "algebra/knot/move_sites.h"
+
+namespace tact::knot {
+namespace {
+
+// How many columns agree from the left, read with mates to the left only; what is to the right may still be renumbered.
+int CommonPrefix(const PData& a, const PData& b) {
+  int k = 1;
+  for (; k <= a.columns(); ++k) {
+    if (a.attr(k) != b.attr(k)) break;
+    if (a.sigma(k) < k ? b.sigma(k) != a.sigma(k) : b.sigma(k) < k) break;
+  }
+  return k - 1;
+}
+
+// The same from the right.
+int CommonSuffix(const PData& a, const PData& b) {
+  const int n = a.columns(), more = b.columns() - n;
+  int k = n;
+  for (; k >= 1; --k) {
+    if (a.attr(k) != b.attr(k + more)) break;
+    if (a.sigma(k) > k ? b.sigma(k + more) != a.sigma(k) + more : b.sigma(k + more) > k + more) break;
+  }
+  return n - k;
+}
+
+// The moves that add columns to a and give b; they are what removes them from b.
+void FindAdditions(const PData& a, const PData& b, MoveDirection direction, std::vector<Move>& moves) {
+  const int n = a.columns();
+  const auto add = [&](Move move) {
+    if (!EqualBut(a, ColumnsOf(move, n).to, b)) return;
+    move.direction = direction;
+    moves.push_back(move);
+  };
+  const int low = n - CommonSuffix(a, b) + 1, high = CommonPrefix(a, b) + 1;
+  if (b.columns() == n + 2) {
+    for (int i = std::max(low, 1); i <= std::min(high, n + 1); ++i) {
+      if (b.sigma(i) == i + 1) add({MoveKind::kR1, direction, {i, 0, 0}, {}, b.attr(i)});
+    }
+    add({MoveKind::kCross, direction, {b.sigma(1) - 1, 0, 0}, RopeEnd::kSelective, b.attr(1)});
+    add({MoveKind::kCross, direction, {b.sigma(n + 2), 0, 0}, RopeEnd::kOther, b.attr(n + 2)});
+  } else {
+    for (int i = 1; i <= std::min(high, n + 1); ++i) {
+      const auto move = R2RemovalAt(b, i);
+      if (move && move->segments[1] >= low) add(*move);
+    }
+  }
+}
+
+// Two P-data that an R3 turns into each other differ in the six columns of its segments' ends and nowhere else.
+void FindShift(const PData& a, const PData& b, std::vector<Move>& moves) {
+  std::array<int, 6> differing{};
+  size_t count = 0;
+  for (int i = 1; i <= a.columns(); ++i) {
+    if (a.sigma(i) == b.sigma(i) && a.attr(i) == b.attr(i)) continue;
+    if (count == 6) return;
+    differing[count++] = i;
+  }
+  if (count != 6) return;
+  for (size_t pair = 0; pair < 6; pair += 2) {
+    if (differing[pair + 1] != differing[pair] + 1) return;
+  }
+  const auto swapped = [&](int column) {
+    for (size_t k = 0; k < 6; ++k) {
+      if (differing[k] == column) return differing[k ^ 1];
+    }
+    return column;
+  };
+  for (const int i : differing) {
+    if (b.sigma(i) != swapped(a.sigma(swapped(i))) || b.attr(i) != a.attr(swapped(i))) return;
+  }
+  for (const bool forward : {false, true}) {
+    const auto move = R3At(a, {differing[1], forward});
+    if (!move) continue;
+    std::array<int, 3> sorted = move->segments;
+    std::sort(sorted.begin(), sorted.end());
+    if (sorted == std::array<int, 3>{differing[1], differing[3], differing[5]}) moves.push_back(*move);
+  }
+}
+
+}  // namespace
+
+std::vector<Move> DetectMoves(const PData& a, const PData& b) {
+  std::vector<Move> moves;
+  const int more = b.columns() - a.columns();
+  if (more == 2 || more == 4) FindAdditions(a, b, MoveDirection::kAdd, moves);
+  if (more == -2 || more == -4) FindAdditions(b, a, MoveDirection::kRemove, moves);
+  if (more == 0) FindShift(a, b, moves);
+  std::sort(moves.begin(), moves.end());
+  moves.erase(std::unique(moves.begin(), moves.end()), moves.end());
+  return moves;
+}
+
+std::vector<Explanation> ExplainTransition(const PData& a, const PData& b) {
+  std::vector<Explanation> all;
+  for (const Move& move : DetectMoves(a, b)) all.push_back({move, false});
+  for (const Move& move : DetectMoves(a, EquivalentPData(b))) all.push_back({move, true});
+  return all;
+}
+
+}  // namespace tact::knot
