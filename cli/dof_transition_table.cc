@@ -15,9 +15,9 @@ using enumerators::DofStepList;
 using enumerators::ShownScene;
 using enumerators::ShownTransition;
 using enumerators::StepDefinition;
+using enumerators::Symbol;
 using enumerators::TranslationKind;
 using provers::DofTransitionFindings;
-using enumerators::Symbol;
 
 std::string KindText(const TranslationKind& kind) {
   return fmt::format("{} {} {}", kind[0], kind[1], kind[2]);
@@ -120,8 +120,8 @@ std::string ShownMatrices(const DofTransitionFindings& findings) {
 std::string Stories(const DofTransitionFindings& findings) {
   std::string list = "The motions, each shown forwards and backwards\n";
   for (const ShownScene& scene : findings.scenes) {
-    list += fmt::format("{:>4} - {:<2}  {}\n", Symbol(scene.given.before),
-                        Symbol(scene.given.after), scene.given.story);
+    list += fmt::format("{:>4} - {:<2}  {}\n", Symbol(scene.given.before), Symbol(scene.given.after),
+                        scene.given.story);
   }
   return list;
 }

@@ -9,6 +9,7 @@
 
 #include "algebra/error.h"
 #include "cli/commands.h"
+#include "cli/knot_parser.h"
 
 namespace tact::cli {
 namespace {
@@ -203,6 +204,7 @@ void AddCommands(CLI::App& app, Request& request) {
                  "DEMO", kRecognizeHelp, RunRecognize);
   AddVerifyCommand(app, request);
   AddEnumerateCommand(app, request);
+  AddKnotCommand(app, request.run);
 }
 
 int ReportUsage(const std::string& message, const std::string& command = "") {
@@ -230,12 +232,14 @@ int Run(int argc, char** argv) {
     return ReportUsage("expected a command, one of " + CommandNames(app) + ", got '" + std::string(argv[1]) +
                        "'");
   }
-  if (argc > 2 && argv[1] == std::string("enumerate") && argv[2][0] != '-') {
-    const CLI::App& enumerate = *app.get_subcommand("enumerate");
-    if (!IsCommand(enumerate, argv[2])) {
-      return ReportUsage("expected what to enumerate, one of " + CommandNames(enumerate) + ", got '" +
-                             std::string(argv[2]) + "'",
-                         "enumerate");
+  if (argc > 2 && argv[2][0] != '-') {
+    const CLI::App& command = *app.get_subcommand(argv[1]);
+    if (!command.get_subcommands({}).empty() && !IsCommand(command, argv[2])) {
+      return ReportUsage(
+          "expected " +
+              std::string(argv[1] == std::string("knot") ? "what to do with a knot" : "what to enumerate") +
+              ", one of " + CommandNames(command) + ", got '" + std::string(argv[2]) + "'",
+          argv[1]);
     }
   }
   try {

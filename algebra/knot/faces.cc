@@ -24,7 +24,8 @@ int CountFaces(const PData& p) {
   for (size_t i = 0; i < seen.size(); ++i) {
     if (seen[i]) continue;
     ++faces;
-    for (Dart d{static_cast<int>(i / 2) + 1, i % 2 == 1}; !seen[index(d)]; d = NextDart(p, d)) seen[index(d)] = true;
+    for (Dart d{static_cast<int>(i / 2) + 1, i % 2 == 1}; !seen[index(d)]; d = NextDart(p, d))
+      seen[index(d)] = true;
   }
   return faces;
 }

@@ -25,7 +25,8 @@ std::optional<std::string> FindShapeFault(const Move& move, int n) {
   if (move.kind == MoveKind::kR2 && move.segments[0] > move.segments[1])
     return "expected the lesser segment first, got " + Text(move.segments[0]) + ", " + Text(move.segments[1]);
   if (shift ? move.attr != 0 : move.attr < 1 || move.attr > 4)
-    return "expected " + std::string(shift ? "no attribute" : "an attribute from 1 to 4") + ", got " + Text(move.attr);
+    return "expected " + std::string(shift ? "no attribute" : "an attribute from 1 to 4") + ", got " +
+           Text(move.attr);
   if ((move.kind == MoveKind::kCross) != (move.end != RopeEnd::kNone))
     return move.end == RopeEnd::kNone ? "expected the end that crosses, got none"
                                       : "expected an end for a Cross move only, got one";
@@ -41,7 +42,8 @@ std::optional<std::string> FindAdditionFault(const PData& p, const Move& move) {
              " with those sides on one face, got two faces";
     }
   } else if (move.kind == MoveKind::kCross && !SameFace(p, DartAtEnd(p, move.end), SiteOfCross(move))) {
-    return "expected segment " + Text(move.segments[0]) + " with that side on the end's face, got another face";
+    return "expected segment " + Text(move.segments[0]) +
+           " with that side on the end's face, got another face";
   }
   return std::nullopt;
 }
@@ -51,8 +53,8 @@ std::optional<std::string> FindRemovalFault(const PData& p, const Move& move) {
   for (int k = 0; k < added.count; ++k) {
     const NewColumn& c = added.columns[static_cast<size_t>(k)];
     if (p.sigma(c.column) == c.sigma && p.attr(c.column) == c.attr) continue;
-    return "expected column " + Text(c.column) + " with mate " + Text(c.sigma) + " and attribute " + Text(c.attr) +
-           ", got " + Text(p.sigma(c.column)) + " and " + Text(p.attr(c.column));
+    return "expected column " + Text(c.column) + " with mate " + Text(c.sigma) + " and attribute " +
+           Text(c.attr) + ", got " + Text(p.sigma(c.column)) + " and " + Text(p.attr(c.column));
   }
   return std::nullopt;
 }
@@ -75,8 +77,8 @@ PData Shift(const PData& p, const Move& move) {
 std::optional<std::string> FindMoveFault(const PData& p, const Move& move) {
   const int taken = move.direction == MoveDirection::kRemove ? (move.kind == MoveKind::kR2 ? 4 : 2) : 0;
   if (p.columns() < taken) {
-    return "expected " + Text(taken / 2) + (taken == 2 ? " intersection" : " intersections") + " to remove, got " +
-           Text(p.crossings());
+    return "expected " + Text(taken / 2) + (taken == 2 ? " intersection" : " intersections") +
+           " to remove, got " + Text(p.crossings());
   }
   if (auto fault = FindShapeFault(move, p.columns() - taken)) return fault;
   if (move.direction == MoveDirection::kAdd) return FindAdditionFault(p, move);
@@ -84,7 +86,8 @@ std::optional<std::string> FindMoveFault(const PData& p, const Move& move) {
   for (const bool forward : {false, true}) {
     if (R3At(p, {move.segments[0], forward}) == move) return std::nullopt;
   }
-  return "expected segments " + Text(move.segments[0]) + ", " + Text(move.segments[1]) + ", " + Text(move.segments[2]) +
+  return "expected segments " + Text(move.segments[0]) + ", " + Text(move.segments[1]) + ", " +
+         Text(move.segments[2]) +
          " round a face, the first over both others and the last under both, got others";
 }
 

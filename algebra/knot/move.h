@@ -60,7 +60,7 @@ std::vector<Move> DetectMoves(const PData& a, const PData& b);
 
 /// A move that explains a transition, the selective end of b being the same as a's or the other one.
 struct Explanation {
-  Move move;             // turns a into b, or into b's equivalent P-data if swapped
+  Move move;  // turns a into b, or into b's equivalent P-data if swapped
   bool swapped = false;
 
   friend bool operator==(const Explanation&, const Explanation&) = default;

@@ -14,7 +14,8 @@ int AttributeAtCross(Dart d, RopeEnd end, bool over) {
 
 void AddR1(const PData& p, std::vector<Move>& moves) {
   for (int i = 1; i <= p.segments(); ++i) {
-    for (int attr = 1; attr <= 4; ++attr) moves.push_back({MoveKind::kR1, MoveDirection::kAdd, {i, 0, 0}, {}, attr});
+    for (int attr = 1; attr <= 4; ++attr)
+      moves.push_back({MoveKind::kR1, MoveDirection::kAdd, {i, 0, 0}, {}, attr});
   }
 }
 
@@ -34,7 +35,8 @@ void AddR2(const Faces& faces, std::vector<Move>& moves) {
                              opposite});
           };
           if (walk[a].segment <= walk[b].segment) add(walk[a], walk[b]);
-          if (walk[a].segment > walk[b].segment || (walk[a].segment == walk[b].segment && a != b)) add(walk[b], walk[a]);
+          if (walk[a].segment > walk[b].segment || (walk[a].segment == walk[b].segment && a != b))
+            add(walk[b], walk[a]);
         }
       }
     }
@@ -55,10 +57,12 @@ void AddCross(const PData& p, const Faces& faces, std::vector<Move>& moves) {
 void RemoveR1AndCross(const PData& p, std::vector<Move>& moves) {
   const int n = p.columns();
   for (int i = 1; i < n; ++i) {
-    if (p.sigma(i) == i + 1) moves.push_back({MoveKind::kR1, MoveDirection::kRemove, {i, 0, 0}, {}, p.attr(i)});
+    if (p.sigma(i) == i + 1)
+      moves.push_back({MoveKind::kR1, MoveDirection::kRemove, {i, 0, 0}, {}, p.attr(i)});
   }
   if (n == 0) return;
-  moves.push_back({MoveKind::kCross, MoveDirection::kRemove, {p.sigma(1) - 1, 0, 0}, RopeEnd::kSelective, p.attr(1)});
+  moves.push_back(
+      {MoveKind::kCross, MoveDirection::kRemove, {p.sigma(1) - 1, 0, 0}, RopeEnd::kSelective, p.attr(1)});
   moves.push_back({MoveKind::kCross, MoveDirection::kRemove, {p.sigma(n), 0, 0}, RopeEnd::kOther, p.attr(n)});
 }
 

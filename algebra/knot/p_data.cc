@@ -26,15 +26,17 @@ PData WithAttributes(const PData& p, const int (&map)[4]) {
 
 std::optional<PDataFault> PData::FindFault(const std::vector<int>& sigma, const std::vector<int>& attr) {
   if (sigma.size() != attr.size()) {
-    return PDataFault{0, "expected as many attributes as mates, got " + std::to_string(attr.size()) + " and " +
-                             std::to_string(sigma.size())};
+    return PDataFault{0, "expected as many attributes as mates, got " + std::to_string(attr.size()) +
+                             " and " + std::to_string(sigma.size())};
   }
   if (sigma.size() % 2 != 0) {
     return PDataFault{0, "expected two columns for each intersection, got " + std::to_string(sigma.size())};
   }
   const int n = static_cast<int>(sigma.size());
   for (int i = 1; i <= n; ++i) {
-    const auto at = [](const std::vector<int>& row, int column) { return row[static_cast<size_t>(column) - 1]; };
+    const auto at = [](const std::vector<int>& row, int column) {
+      return row[static_cast<size_t>(column) - 1];
+    };
     const int mate = at(sigma, i), kind = at(attr, i);
     const std::string mated = "sigma(" + Text(i) + ") = " + Text(mate);
     if (mate < 1 || mate > n) return PDataFault{i, "expected a mate from 1 to " + Text(n) + ", got " + mated};
@@ -49,10 +51,11 @@ std::optional<PDataFault> PData::FindFault(const std::vector<int>& sigma, const 
     const int other = at(attr, mate);
     if (mate < i && MateAttribute(kind) != other) {
       const bool heights = (kind & 1) == (other & 1);
-      return PDataFault{i, "expected " +
-                               std::string(heights ? "one strand over and one under" : "one sign on both strands") +
-                               " at the intersection of columns " + Text(mate) + " and " + Text(i) +
-                               ", got attributes " + Text(other) + " and " + Text(kind)};
+      return PDataFault{
+          i, "expected " +
+                 std::string(heights ? "one strand over and one under" : "one sign on both strands") +
+                 " at the intersection of columns " + Text(mate) + " and " + Text(i) + ", got attributes " +
+                 Text(other) + " and " + Text(kind)};
     }
   }
   return std::nullopt;

@@ -45,7 +45,8 @@ std::string OutputOf(std::string command) {
 TEST(Readme, ShowsWhatTheProgramPrints) {
   const auto examples = ExamplesOfReadme();
   ASSERT_GE(examples.size(), 5U);
-  for (const Example& example : examples) EXPECT_EQ(OutputOf(example.command), example.output) << example.command;
+  for (const Example& example : examples)
+    EXPECT_EQ(OutputOf(example.command), example.output) << example.command;
 }
 
 }  // namespace

@@ -20,8 +20,8 @@ json Complete(ClassList list) {
                                                                    : enumerators::CubeWorld(9));
   std::vector<algebra::ContactRelation> witnesses;
   for (const auto& c : census.Count()) witnesses.push_back(census.Relation(c.witness));
-  at->second = json::parse(
-      DofClassesCertificate("list", "list", list, witnesses, enumerators::DofDefinitions()).json);
+  at->second =
+      json::parse(DofClassesCertificate("list", "list", list, witnesses, enumerators::DofDefinitions()).json);
   return at->second;
 }
 

@@ -1,13 +1,13 @@
 #include "algebra/knot/move.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <map>
 #include <set>
 
 #include "algebra/error.h"
 #include "tests/algebra/knot/p_data_world.h"
-
-#include <gtest/gtest.h>
 
 namespace tact::knot {
 namespace {

@@ -31,9 +31,11 @@ TEST(PData, WhatIsNoneIsRefusedWithAReason) {
   EXPECT_EQ(Fault({2, 3, 4, 1}, {1, 2, 1, 2}), "expected sigma(2) = 1 since sigma(1) = 2, got 3");
   EXPECT_EQ(Fault({2, 1}, {1, 5}), "expected an attribute from 1 to 4, got attr(2) = 5");
   EXPECT_EQ(Fault({2, 1}, {1, 1}),
-            "expected one strand over and one under at the intersection of columns 1 and 2, got attributes 1 and 1");
-  EXPECT_EQ(Fault({2, 1}, {1, 4}),
-            "expected one sign on both strands at the intersection of columns 1 and 2, got attributes 1 and 4");
+            "expected one strand over and one under at the intersection of columns 1 and 2, got attributes 1 "
+            "and 1");
+  EXPECT_EQ(
+      Fault({2, 1}, {1, 4}),
+      "expected one sign on both strands at the intersection of columns 1 and 2, got attributes 1 and 4");
   EXPECT_THROW(PData({2, 1}, {1, 1}), PreconditionError);
 }
 

@@ -71,8 +71,9 @@ TEST(RelationFile, TheCadFormNamesFilesBesideItAndElements) {
   EXPECT_EQ(cad.models.tolerance, Rational(1, 8));
   EXPECT_EQ(cad.pose.pose.translation, (Vector3{1, 2, 3}));
   EXPECT_EQ(cad.pose.pose.rotation, algebra::Rotation{});
-  EXPECT_EQ(cad.contacts, (std::vector<ElementPair>{{{algebra::ElementKind::kVertex, 3}, {algebra::ElementKind::kFace, 5}},
-                                                    {{algebra::ElementKind::kEdge, 0}, {algebra::ElementKind::kEdge, 7}}}));
+  EXPECT_EQ(cad.contacts,
+            (std::vector<ElementPair>{{{algebra::ElementKind::kVertex, 3}, {algebra::ElementKind::kFace, 5}},
+                                      {{algebra::ElementKind::kEdge, 0}, {algebra::ElementKind::kEdge, 7}}}));
 }
 
 TEST(RelationFile, WithoutContactsTheCadFormLeavesThemToBeFound) {

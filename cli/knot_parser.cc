@@ -1,0 +1,131 @@
+#include "cli/knot_parser.h"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+namespace tact::cli {
+namespace {
+
+constexpr const char* kKnotHelp =
+    "P-DATA is a file, a name of examples/knots (overhand, figure-eight, bowline, ...), or the text itself: "
+    "the\n"
+    "thesis' three rows or the last two of them, {\"sigma\":[4,5,6,1,2,3],\"attr\":[3,1,2,4,2,1]}, or a "
+    "signed Gauss\n"
+    "code. A file of three numbers a line is a curve in space, seen from above or from --view.\n"
+    "Attributes: 1 over/-, 2 under/-, 3 over/+, 4 under/+.\n"
+    "Example: tact knot faces '{\"sigma\":[4,5,6,1,2,3],\"attr\":[3,4,3,4,3,4]}'";
+
+// A subcommand in the making.
+class Maker {
+ public:
+  Maker(CLI::App& knot, std::function<ExitStatus()>& run, const char* name, const char* summary,
+        const char* footer, ExitStatus (*command)(const KnotOptions&))
+      : options_(std::make_shared<KnotOptions>()), app_(*knot.add_subcommand(name, summary)) {
+    app_.footer(footer);
+    app_.callback(
+        [&run, command, options = options_] { run = [command, options] { return command(*options); }; });
+    app_.add_flag("--json", options_->json, "answer in JSON");
+  }
+  CLI::Option* Inputs(const char* name, const char* what) {
+    return app_.add_option(name, options_->inputs, what)->required();
+  }
+  template <typename T>
+  CLI::Option* Option(const char* name, T KnotOptions::*member, const char* what) {
+    return app_.add_option(name, (*options_).*member, what);
+  }
+  void Flag(const char* name, bool KnotOptions::*member, const char* what) {
+    app_.add_flag(name, (*options_).*member, what);
+  }
+  void View() { Option("--view", &KnotOptions::view, "curves: seen against this direction, x,y,z"); }
+
+ private:
+  std::shared_ptr<KnotOptions> options_;
+  CLI::App& app_;
+};
+
+}  // namespace
+
+void AddKnotCommand(CLI::App& app, std::function<ExitStatus()>& run) {
+  CLI::App& knot =
+      *app.add_subcommand("knot", "Knots of a rope with two ends: P-data, faces, moves, drawings");
+  knot.footer(kKnotHelp);
+  knot.require_subcommand(0, 1);
+  knot.callback([&knot] {
+    if (!knot.get_subcommands().empty()) return;
+    throw CLI::RequiredError("expected what to do with a knot, got none; tact knot --help lists it",
+                             CLI::ExitCodes::RequiredError);
+  });
+  {
+    Maker make(
+        knot, run, "convert", "P-data in another notation",
+        "FORM: rows, json, gauss, extended-gauss, pd, dt. What a form loses is said on standard error.\n"
+        "Example: tact knot convert rope.xyz --to gauss",
+        RunKnotConvert);
+    make.Inputs("P-DATA", "what is converted")->expected(1);
+    make.Option("--to", &KnotOptions::to, "the form")->capture_default_str();
+    make.Option("--close", &KnotOptions::close, "join the ends by an arc over or under everything");
+    make.View();
+  }
+  {
+    Maker make(knot, run, "check", "Is it P-data, does a sphere hold it, what is it made of",
+               "Example: tact knot check '4 5 6 1 2 3 / 3 4 3 4 3 4'", RunKnotCheck);
+    make.Inputs("P-DATA", "what is checked")->expected(1);
+    make.View();
+  }
+  {
+    Maker make(knot, run, "faces", "The faces of a diagram", "Example: tact knot faces overhand",
+               RunKnotFaces);
+    make.Inputs("P-DATA", "the diagram")->expected(1);
+    make.View();
+  }
+  {
+    Maker make(knot, run, "moves", "The moves that turn A into B, or all that A admits",
+               "Segments are counted in the P-data with fewer intersections.\nExample: tact knot moves A.txt "
+               "B.txt --json",
+               RunKnotMoves);
+    make.Inputs("P-DATA", "A, or A and B")->expected(1, 2);
+  }
+  {
+    Maker make(knot, run, "apply", "What a move makes of a P-data",
+               "MOVE is what tact knot moves --json prints of one.\n"
+               "Example: tact knot apply overhand "
+               "'{\"kind\":\"R1\",\"direction\":\"add\",\"segments\":[2],\"attr\":3}'",
+               RunKnotApply);
+    make.Inputs("P-DATA", "A")->expected(1);
+    make.Option("MOVE", &KnotOptions::move, "the move, in JSON")->required();
+  }
+  {
+    Maker make(
+        knot, run, "draw", "A picture of a P-data",
+        "The file's ending says which kind: .svg or .png.\nExample: tact knot draw bowline -o bowline.svg",
+        RunKnotDraw);
+    make.Inputs("P-DATA", "what is drawn")->expected(1);
+    make.Option("-o,--output", &KnotOptions::output,
+                "the picture's file; standard output gets SVG if not given");
+    make.Option("--outer", &KnotOptions::outer, "number of the face drawn outside (tact knot faces)");
+    make.Flag("--exact", &KnotOptions::exact, "the straight-line embedding itself");
+    make.Option("--certificate", &KnotOptions::certificate,
+                "a file for tact-check: the drawing reads back as the P-data");
+    make.View();
+  }
+  {
+    Maker make(knot, run, "recognize", "Movement primitives of a sequence of P-data or curves",
+               "One file with a P-data a line, or curves set apart by blank lines, or many files.\n"
+               "Example: tact knot recognize examples/knots/bowline_tied.jsonl",
+               RunKnotRecognize);
+    make.Inputs("P-DATA", "the sequence");
+    make.View();
+  }
+  {
+    Maker make(knot, run, "tie", "A shortest sequence of movement primitives that ties a knot",
+               "Example: tact knot tie bowline --hold selective -o bowline_steps", RunKnotTie);
+    make.Inputs("P-DATA", "the knot")->expected(1);
+    make.Option("--moves", &KnotOptions::moves, "moves that may be used")->capture_default_str();
+    make.Option("--hold", &KnotOptions::hold, "the end that is held and crosses nothing: selective or other");
+    make.Option("--limit", &KnotOptions::limit, "steps at most");
+    make.Option("-o,--output", &KnotOptions::output, "folder for a picture of each step and an index.html");
+    make.View();
+  }
+}
+
+}  // namespace tact::cli

@@ -1,0 +1,8 @@
+#include "algebra/error.h"
+#include "cli/commands.h"
+
+namespace tact::cli {
+
+ExitStatus RunKnotRecognize(const KnotOptions&) { throw InputError("not built yet"); }
+
+}  // namespace tact::cli
