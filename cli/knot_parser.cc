@@ -91,7 +91,7 @@ void AddKnotCommand(CLI::App& app, std::function<ExitStatus()>& run) {
                "Example: tact knot apply overhand "
                "'{\"kind\":\"R1\",\"direction\":\"add\",\"segments\":[2],\"attr\":3}'",
                RunKnotApply);
-    make.Inputs("P-DATA", "A")->expected(1);
+    make.Inputs("P-DATA", "A")->expected(1)->allow_extra_args(false);
     make.Option("MOVE", &KnotOptions::move, "the move, in JSON")->required();
   }
   {

@@ -4,9 +4,9 @@
 ///         such. Two intersections interlace if their columns alternate along the rope; the classes that interlacing
 ///         joins, taken as P-data of their own, are irreducible, and P-data are irreducible just if there is at most one.
 ///         Part t of Split, by first column, is inserted in one segment of the P-data that parts 1..t-1 make.
-/// Planar  The parts of planar P-data are planar. The converse fails: to insert part X into segment s of Y joins genera
-///         without a handle just if X has both ends on one face or s has one face on both sides. The kink 2 1 / 1 2 with
-///         3 4 1 2 / 1 2 2 1 in its loop is a counterexample with the fewest intersections.
+/// Planar  The parts of planar P-data are planar; the converse, which [thesis, 5.1.3] needs to put parts together, fails. Put
+///         into segment s of Y, X adds a handle beyond those of both just if its ends lie on two faces and s has two faces
+///         at its sides. Least counterexample: 3 4 1 2 / 1 2 2 1 in the loop, segment 2, of 2 1 / 1 2.
 /// Cost    O(n) for Split, IsIrreducible and Insert.
 #pragma once
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "algebra/knot/faces.h"
 #include "robot/input/curve_text.h"
 #include "robot/input/gauss_text.h"
 #include "robot/input/json_stream.h"
@@ -150,7 +151,8 @@ knot::PData ParsePData(std::string_view text, const std::string& source, size_t 
 
 NamedText FindKnotText(const std::string& argument) {
   std::error_code ignored;
-  if (argument == "-" || std::filesystem::exists(argument, ignored)) {
+  const bool straight = argument == "/";  // a folder, too
+  if (argument == "-" || (!straight && std::filesystem::exists(argument, ignored))) {
     InputFile file(argument);
     std::ostringstream text;
     text << file.stream().rdbuf();
@@ -168,6 +170,21 @@ NamedText FindKnotText(const std::string& argument) {
 knot::PData ReadPData(const std::string& argument, const std::string& view) {
   const NamedText found = FindKnotText(argument);
   return ParsePData(found.text, found.source, 1, view);
+}
+
+std::optional<std::string> FindHandle(const knot::PData& p) {
+  const int faces = knot::CountFaces(p), wanted = p.crossings() + 1;
+  if (faces == wanted) return std::nullopt;
+  return "expected a diagram on a sphere, where " + std::to_string(p.crossings()) + " intersections make " +
+         std::to_string(wanted) + " faces, got " + std::to_string(faces) + (faces == 1 ? " face" : " faces") +
+         ": genus " + std::to_string((wanted - faces) / 2);
+}
+
+knot::PData ReadPlanarPData(const std::string& argument, const std::string& view) {
+  const NamedText found = FindKnotText(argument);
+  const knot::PData p = ParsePData(found.text, found.source, 1, view);
+  if (const auto handle = FindHandle(p)) throw InputError(found.source + ":1:1: " + *handle);
+  return p;
 }
 
 }  // namespace tact::input

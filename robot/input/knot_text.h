@@ -7,6 +7,7 @@
 ///         sphere holds them is asked by those who need one.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -20,6 +21,11 @@ knot::PData ParsePData(std::string_view text, const std::string& source, size_t 
 
 /// Of a file ("-" is standard input), a name of examples/knots, or the text itself.
 knot::PData ReadPData(const std::string& argument, const std::string& view = "");
+
+/// The same, refused with its genus if no sphere holds it.
+knot::PData ReadPlanarPData(const std::string& argument, const std::string& view = "");
+/// "expected a diagram on a sphere, ..., got ...: genus 1"; nullopt: a sphere holds it.
+std::optional<std::string> FindHandle(const knot::PData& p);
 
 /// The text that ReadPData parses, and the name that its messages give it.
 struct NamedText {

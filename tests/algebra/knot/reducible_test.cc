@@ -96,8 +96,10 @@ TEST(Reducible, PlanarPartsDoNotMakePlanarPData) {
     });
   }
   EXPECT_EQ(refuted, std::set<int>{3});
-  const PData kink({2, 1}, {1, 2}), curl({3, 4, 1, 2}, {1, 1, 2, 2});
-  EXPECT_TRUE(IsPlanar(kink));
+  const PData kink({2, 1}, {1, 2}), curl({3, 4, 1, 2}, {1, 2, 2, 1});
+  EXPECT_TRUE(IsPlanar(kink) && IsPlanar(curl));
+  EXPECT_EQ(Genus(Insert(kink, 2, curl)), 1);
+  EXPECT_EQ(Genus(Insert(kink, 1, curl)), 0);
 }
 
 TEST(Reducible, RandomRopesToFortyCrossingsSplitAndJoin) {
