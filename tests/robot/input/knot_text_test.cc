@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "algebra/error.h"
+#include "algebra/knot/gauss_code.h"
+#include "algebra/knot/pd_code.h"
+#include "tests/algebra/knot/p_data_world.h"
 
 namespace tact::input {
 namespace {
@@ -56,6 +59,24 @@ TEST(KnotText, OneIntersection) {
   for (const char* text : {"2 1 / 3 4", "O1+U1+", "1 -1 +", "PD[X[1,1,2,0]]"}) {
     EXPECT_EQ(Parse(text), kink) << text;
   }
+}
+
+void ExpectReadsBack(const knot::PData& p) {
+  const auto gauss = knot::GaussCodeOf(p);
+  for (const std::string& text :
+       {p.ToJson(), ToText(gauss), ToExtendedText(gauss), ToText(knot::PdCodeOf(p))})
+    ASSERT_EQ(Parse(text), p) << text;
+}
+
+TEST(KnotText, EveryFormReadsBackOnPlanarPDataToFourCrossings) {
+  for (int c = 0; c <= 4; ++c) {
+    for (const knot::PData& p : knot::PlanarPData(c)) ExpectReadsBack(p);
+  }
+}
+
+TEST(KnotText, EveryFormReadsBackOnRandomRopesToFortyCrossings) {
+  std::mt19937_64 random(19);
+  for (int crossings = 5; crossings <= 40; ++crossings) ExpectReadsBack(knot::RandomPData(random, crossings));
 }
 
 TEST(KnotText, AnArgumentThatIsNeitherFileNorNameNorTextSaysSo) {
