@@ -2,8 +2,9 @@
 /// A rope's two ends joined by an arc over or under everything: a closed knot.
 /// Model   The arc leaves the other end and comes back to the selective end along a shortest path through the faces,
 ///         crossing each segment on its way over (overpass) or under (underpass). The knot's type depends on over or under
-///         only, not on the path. If both ends lie on one face nothing is crossed.
-/// Loses   where the rope's ends were. Ropes with different overpass closures are different; the converse fails.
+///         only, not on the path [Turaev 2012]. If both ends lie on one face nothing is crossed.
+/// Loses   where the rope's ends were. Both types of knot stay under Reidemeister moves of the rope, not under Cross moves;
+///         ropes that no such moves join may have the same.
 /// Pre     P-data are planar (faces.h).
 /// Cost    O(n).
 #pragma once

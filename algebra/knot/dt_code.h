@@ -2,8 +2,7 @@
 /// Dowker-Thistlethwaite code of a closed knot [Dowker and Thistlethwaite 1983].
 /// Model   The 2c passes are numbered from 1 along the knot; each intersection has an odd and an even number. The code is
 ///         the even numbers that belong to 1, 3, ..., 2c-1, negative where the even pass is the upper one.
-/// Loses   the ends of the rope; the mirror image of each irreducible part; for codes of several parts also more, since a
-///         code fixes each part's mirror image on its own.
+/// Loses   where the rope's ends were; of each irreducible part, which of two mirror images it is.
 /// Errors  PreconditionError: an intersection of two odd or two even numbers, as of no curve on a sphere.
 /// Cost    O(n).
 #pragma once

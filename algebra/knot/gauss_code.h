@@ -5,7 +5,7 @@
 ///         1..c, each once over and once under, in any order; GaussCodeOf numbers them as they are first met.
 /// Loses   nothing: P-data and signed Gauss codes numbered so are the same thing. A code without signs loses the mirror
 ///         image of each irreducible part; a closed knot's code loses which point it starts from.
-/// Text    "O1+ U2+ U1+ O2+": O over, U under, the number, the sign. Extended Gauss code of Knoto-ID: the numbers, then
+/// Text    "O1+ U2+ U1+ O2+": O over, U under, the number, the sign. Extended [Dorier et al. 2018]: the numbers, then
 ///         the signs of intersections 1..c in one word, "1 -2 -1 2 ++"; where its region outside is, P-data do not say.
 ///         No intersection: "/".
 /// Errors  PreconditionError: a code that FindGaussFault refuses.

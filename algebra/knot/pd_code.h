@@ -1,5 +1,5 @@
 /// @file
-/// Planar diagram codes: the four arcs round each intersection [Mastin 2015; Knoto-ID for open ropes].
+/// Planar diagram codes: the four arcs round each intersection [Mastin 2015], of open ropes as in [Dorier et al. 2018].
 /// Model   Arcs are numbered along the rope. An intersection is X[i,j,k,l]: the arc on which the lower strand comes in,
 ///         then the others counterclockwise. The upper strand goes from j to l at a negative intersection, from l to j at
 ///         a positive one. An open rope has arcs 0..n, 0 and n once; segment s is arc s - 1. A closed knot has arcs 1..n,
