@@ -86,7 +86,12 @@ knot::PData ParseNumberedGauss(const SourceText& text) {
       in_signs = true;
       for (const char c : word.text) code.signs.push_back(c == '+' ? 1 : -1);
     } else if (in_signs) {
-      text.Fail(word.offset, "expected signs + and - to the end of the Gauss code, got " + Quote(word.text));
+      const bool complete = places.size() == 2 * code.signs.size();
+      text.Fail(word.offset,
+                std::string("expected ") +
+                    (complete ? "the end of the Gauss code, since no face of P-data is the outer one"
+                              : "signs + and - to the end of the Gauss code") +
+                    ", got " + Quote(word.text));
     } else {
       code.passes.push_back(ReadWholeNumber(text, word, -kMostCrossings, kMostCrossings,
                                             "an intersection's number, negative for a pass under"));
