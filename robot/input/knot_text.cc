@@ -47,23 +47,30 @@ knot::PData ParseJson(const SourceText& text) {
   return knot::PData(sigma, attr);
 }
 
-knot::PData ParseRows(const SourceText& text) {
-  std::vector<std::vector<Word>> rows(1);
-  bool marked = false;  // a '/' that no number came after
+// The rows' words; rows end at a '/' or a line's end.
+std::vector<std::vector<Word>> RowsOf(const SourceText& text) {
+  std::vector<std::vector<Word>> rows;
+  bool open = false, wanted = true;  // a row that may go on; a row that a '/' or the start demands
   for (const Word& word : WordsOf(text, "/\n", ",;")) {
-    const bool mark = word.text == "/";
-    if (mark && rows.back().empty() && rows.size() > 1)
-      text.Fail(word.offset, "expected a row of numbers, got \"/\"");
-    if (!mark && word.text != "\n") {
+    if (word.text == "\n") {
+      open = false;
+    } else if (word.text == "/") {
+      if (wanted) text.Fail(word.offset, "expected a row of numbers, got \"/\"");
+      open = false;
+      wanted = true;
+    } else {
+      if (!open) rows.emplace_back();
       rows.back().push_back(word);
-      marked = false;
-    } else if (mark || (!rows.back().empty() && !marked)) {
-      if (!rows.back().empty()) rows.emplace_back();
-      marked = mark;
+      open = true;
+      wanted = false;
     }
   }
-  if (rows.back().empty()) rows.pop_back();
-  if (rows.empty()) return {};
+  if (wanted) text.Fail(text.text.size(), "expected a row of numbers, got the end of the text");
+  return rows;
+}
+
+knot::PData ParseRows(const SourceText& text) {
+  const auto rows = RowsOf(text);
   if (rows.size() == 1 || rows.size() > 3) {
     text.Fail(rows[rows.size() == 1 ? 0 : 3].front().offset,
               "expected two or three rows of numbers, or a Gauss code with its signs, got " +
@@ -142,6 +149,7 @@ knot::PData ParsePData(std::string_view text, const std::string& source, size_t 
   const bool braced_numbers = second != std::string_view::npos &&
                               std::string_view("+-0123456789").find(rest[second]) != std::string_view::npos;
   if (rest[0] == '{' && !braced_numbers) return ParseJson(whole);
+  if (rest[0] == '/' && rest.find_first_not_of(kBlanks, 1) == std::string_view::npos) return {};
   if (LooksLikePd(rest)) return ParsePd(whole);
   if (LooksLikeLetteredGauss(rest)) return ParseLetteredGauss(whole);
   if (LooksLikeCurve(rest)) return ReadCurvePData(text, source, view);
