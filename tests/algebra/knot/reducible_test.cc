@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 #include "algebra/error.h"
@@ -100,6 +101,30 @@ TEST(Reducible, PlanarPartsDoNotMakePlanarPData) {
   EXPECT_TRUE(IsPlanar(kink) && IsPlanar(curl));
   EXPECT_EQ(Genus(Insert(kink, 2, curl)), 1);
   EXPECT_EQ(Genus(Insert(kink, 1, curl)), 0);
+}
+
+// Each part's shape may be mirrored by itself: whether both sides of a segment or both ends lie on one face stays.
+TEST(Reducible, APlanarPairingOfKPartsHasTwoToTheKPlanarChoicesOfTurns) {
+  for (int c = 1; c <= 4; ++c) {
+    std::map<std::vector<int>, size_t> choices;
+    ForEachPData(c, [&](const PData& p) {
+      for (int i = 1; i <= p.columns(); ++i) {
+        if (p.sigma(i) > i && !p.over(i)) return;
+      }
+      if (!IsPlanar(p)) return;
+      ++choices[p.SigmaRow()];
+      for (Part part : Split(p)) {
+        auto mirrored = Split(p);
+        for (Part& other : mirrored) other.p = other == part ? MirrorShape(other.p) : other.p;
+        ASSERT_TRUE(IsPlanar(Join(mirrored))) << p.ToJson();
+      }
+    });
+    for (const auto& [sigma, count] : choices) {
+      std::vector<int> attr;
+      for (size_t i = 0; i < sigma.size(); ++i) attr.push_back(sigma[i] > static_cast<int>(i) ? 1 : 2);
+      EXPECT_EQ(count, size_t{1} << Split(PData(sigma, attr)).size());
+    }
+  }
 }
 
 TEST(Reducible, RandomRopesToFortyCrossingsSplitAndJoin) {
