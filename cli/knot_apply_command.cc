@@ -1,8 +1,22 @@
 #include "algebra/error.h"
 #include "cli/commands.h"
+#include "cli/knot_print.h"
+#include "cli/output.h"
+#include "robot/input/knot_move_text.h"
+#include "robot/input/knot_text.h"
 
 namespace tact::cli {
 
-ExitStatus RunKnotApply(const KnotOptions&) { throw InputError("not built yet"); }
+ExitStatus RunKnotApply(const KnotOptions& options) {
+  const knot::PData a = input::ReadPlanarPData(options.inputs[0], options.view);
+  const knot::Explanation explanation = input::ReadMove(options.move);
+  if (const auto fault = FindMoveFault(a, explanation.move)) throw InputError("MOVE: " + *fault);
+  const knot::PData moved = Apply(a, explanation.move);
+  const knot::PData b = explanation.swapped ? EquivalentPData(moved) : moved;
+  Output output;
+  output << (options.json ? b.ToJson() + "\n" : ThreeRows(b));
+  output.Flush();
+  return kAnswered;
+}
 
 }  // namespace tact::cli

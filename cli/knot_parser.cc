@@ -7,12 +7,22 @@ namespace tact::cli {
 namespace {
 
 constexpr const char* kKnotHelp =
-    "P-DATA is a file, a name of examples/knots (overhand, figure-eight, bowline, ...), or the text itself: "
-    "the\n"
-    "thesis' three rows or the last two of them, {\"sigma\":[4,5,6,1,2,3],\"attr\":[3,1,2,4,2,1]}, or a "
-    "signed Gauss\n"
-    "code. A file of three numbers a line is a curve in space, seen from above or from --view.\n"
-    "Attributes: 1 over/-, 2 under/-, 3 over/+, 4 under/+.\n"
+    "P-DATA is a file, - for standard input, a name of examples/knots (overhand, figure-eight, bowline, "
+    "...), "
+    "or\n"
+    "the text itself, in any of these forms:\n"
+    "  4 5 6 1 2 3 / 3 4 3 4 3 4                     the thesis' three rows or the last two, on lines or "
+    "between /\n"
+    "  {\"sigma\":[4,5,6,1,2,3],\"attr\":[3,4,3,4,3,4]}\n"
+    "  O1+ U2+ O3+ U1+ O2+ U3+                       a signed Gauss code: over, under, number, sign\n"
+    "  1 -2 3 -1 2 -3 +++                            the same: numbers, negative under, then the signs\n"
+    "  PD[X[3,1,4,0],X[1,5,2,4],X[5,3,6,2]]          a PD code of an open rope, arcs 0..n\n"
+    "  /                                             the straight rope\n"
+    "A file of three numbers a line is a curve in space, seen from above or from --view.\n"
+    "Attributes: 1 over/-, 2 under/-, 3 over/+, 4 under/+; + where the upper strand passes from left to "
+    "right "
+    "of the\n"
+    "lower one. Columns, segments and faces are counted from 1.\n"
     "Example: tact knot faces '{\"sigma\":[4,5,6,1,2,3],\"attr\":[3,4,3,4,3,4]}'";
 
 // A subcommand in the making.
@@ -56,11 +66,13 @@ void AddKnotCommand(CLI::App& app, std::function<ExitStatus()>& run) {
                              CLI::ExitCodes::RequiredError);
   });
   {
-    Maker make(
-        knot, run, "convert", "P-data in another notation",
-        "FORM: rows, json, gauss, extended-gauss, pd, dt. What a form loses is said on standard error.\n"
-        "Example: tact knot convert rope.xyz --to gauss",
-        RunKnotConvert);
+    Maker make(knot, run, "convert", "P-data in another notation",
+               "FORM: rows, json, gauss, extended-gauss (Knoto-ID), pd, dt (of a closed knot). What is lost "
+               "is said on "
+               "standard\nerror; rows, json, gauss, extended-gauss and pd of an open rope lose nothing and "
+               "read back.\n"
+               "Example: tact knot convert '4 5 6 1 2 3 / 3 4 3 4 3 4' --to gauss",
+               RunKnotConvert);
     make.Inputs("P-DATA", "what is converted")->expected(1);
     make.Option("--to", &KnotOptions::to, "the form")->capture_default_str();
     make.Option("--close", &KnotOptions::close, "join the ends by an arc over or under everything");
@@ -80,18 +92,20 @@ void AddKnotCommand(CLI::App& app, std::function<ExitStatus()>& run) {
   }
   {
     Maker make(knot, run, "moves", "The moves that turn A into B, or all that A admits",
-               "Segments are counted in the P-data with fewer intersections.\nExample: tact knot moves A.txt "
-               "B.txt --json",
+               "Segments are counted in the P-data with fewer intersections.\n"
+               "Example: tact knot moves '2 1 / 3 4' '4 3 2 1 / 3 3 4 4' --json",
                RunKnotMoves);
     make.Inputs("P-DATA", "A, or A and B")->expected(1, 2);
   }
   {
-    Maker make(knot, run, "apply", "What a move makes of a P-data",
-               "MOVE is what tact knot moves --json prints of one.\n"
-               "Example: tact knot apply overhand "
-               "'{\"kind\":\"R1\",\"direction\":\"add\",\"segments\":[2],\"attr\":3}'",
-               RunKnotApply);
-    make.Inputs("P-DATA", "A")->expected(1);
+    Maker make(
+        knot, run, "apply", "What a move makes of a P-data",
+        "MOVE is what tact knot moves --json prints of one, or a file of it. Keys that are null may be left "
+        "out.\n"
+        "Example: tact knot apply '2 1 / 3 4' "
+        "'{\"kind\":\"R1\",\"direction\":\"add\",\"segments\":[2],\"attr\":3}'",
+        RunKnotApply);
+    make.Inputs("P-DATA", "A")->expected(1)->allow_extra_args(false);
     make.Option("MOVE", &KnotOptions::move, "the move, in JSON")->required();
   }
   {

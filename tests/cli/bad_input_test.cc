@@ -229,10 +229,10 @@ TEST(BadInput, CommandsAndOptionsThatAreNoneAreNamed) {
                 "expected what to enumerate, one of dof-classes, dof-transitions, got 'dof-clases'; tact "
                 "enumerate --help says "
                 "more");
-  ExpectRefused(
-      {"frobnicate"},
-      "expected a command, one of dof, modes, contacts, recognize, verify, enumerate, got 'frobnicate'; tact "
-      "--help says more");
+  ExpectRefused({"frobnicate"},
+                "expected a command, one of dof, modes, contacts, recognize, verify, enumerate, knot, got "
+                "'frobnicate'; tact "
+                "--help says more");
   ExpectRefused({"dof", "--wrong", "-"},
                 "The following argument was not expected: --wrong; tact dof --help says more");
   ExpectRefused({"dof"}, "FILE is required; tact dof --help says more");

@@ -1,0 +1,73 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "algebra/error.h"
+#include "robot/input/knot_move_text.h"
+#include "robot/input/knot_text.h"
+
+namespace tact::input {
+namespace {
+
+const std::filesystem::path kFolder = std::filesystem::path(TACT_SOURCE_DIR) / "tests/robot/input/bad_knots";
+
+std::string ReadText(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+// The first word of a file's name says what it was meant to be.
+std::string MessageOf(const std::filesystem::path& path) {
+  const std::string name = path.filename().string(), text = ReadText(path);
+  try {
+    if (name.starts_with("move_")) {
+      ParseMove(text, name);
+    } else {
+      ParsePData(text, name);
+    }
+    return "accepted";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+// The expected messages were written and checked by people: place, what was expected, what was got.
+TEST(BadKnots, EachIsRefusedWithItsMessage) {
+  size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
+    if (entry.path().extension() == ".expected") continue;
+    ++files;
+    const std::filesystem::path expected = entry.path().string() + ".expected";
+    EXPECT_EQ(MessageOf(entry.path()) + "\n", ReadText(expected)) << entry.path().filename();
+  }
+  EXPECT_GE(files, 65u);
+}
+
+// Cut anywhere, good texts are refused as bad input or are shorter good ones; nothing else happens.
+TEST(BadKnots, EveryPrefixOfAGoodTextIsRefusedOrGood) {
+  for (const std::string good :
+       {R"({"sigma":[4,5,6,1,2,3],"attr":[3,4,3,4,3,4],"name":"a"})", "1 2 3 4 / 3 4 1 2 / 1 2 2 1",
+        "O1+ U2+ O3+ U1+ O2+ U3+", "1 -2 3 -1 2 -3 / + + +", "PD[X[3,1,4,0],X[1,5,2,4],X[5,3,6,2]];",
+        R"({"kind":"R1","direction":"add","segments":[2],"attr":3})"}) {
+    for (size_t length = 0; length <= good.size(); ++length) {
+      for (const bool move : {false, true}) {
+        try {
+          if (move) {
+            ParseMove(good.substr(0, length), "cut");
+          } else {
+            ParsePData(good.substr(0, length), "cut");
+          }
+        } catch (const InputError& error) {
+          EXPECT_TRUE(std::string(error.what()).starts_with("cut:1:")) << error.what();
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tact::input
