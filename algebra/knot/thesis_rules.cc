@@ -44,6 +44,10 @@ int SignBetween(const PData& p, int segment, int other) {
   return p.sign(IsEndOf(p.sigma(segment - 1), other) ? segment - 1 : segment);
 }
 
+bool SignsAgree(const PData& a, const PData& b, int segment, int other) {
+  return SignBetween(a, segment, other) == SignBetween(b, segment, other);
+}
+
 bool RestIsEqual(const PData& a, const PData& b, const std::array<int, 3>& s) {
   for (int c = 1; c <= a.columns(); ++c) {
     if (IsEndOf(c, s[0]) || IsEndOf(c, s[1]) || IsEndOf(c, s[2])) continue;
@@ -139,11 +143,10 @@ std::vector<R3Conclusion> FindR3(const PData& p_before, const PData& p_t, const 
     if (!AreNamedByHeight(p_before, s)) return;
     if (reading.triangle != R3Triangle::kNamedBefore && !AreNamedByHeight(p_t, s)) return;
     if (reading.triangle == R3Triangle::kFaces && !(BoundAFace(p_before, s) && BoundAFace(p_t, s))) return;
-    if (reading.same_signs) {
-      for (const auto [x, y] : {std::pair{0, 1}, {0, 2}, {1, 2}}) {
-        const auto a = static_cast<size_t>(x), b = static_cast<size_t>(y);
-        if (SignBetween(p_before, s[a], s[b]) != SignBetween(p_t, s[a], s[b])) return;
-      }
+    if (reading.same_signs &&
+        !(SignsAgree(p_before, p_t, s[0], s[1]) && SignsAgree(p_before, p_t, s[0], s[2]) &&
+          SignsAgree(p_before, p_t, s[1], s[2]))) {
+      return;
     }
     if (RestIsEqual(p_before, p_t, s)) found.push_back({s, *before});
   };
