@@ -12,20 +12,20 @@ namespace tact::knot {
 
 class ColumnMatch {
  public:
-  /// Precondition: `to` fills b from a.
-  ColumnMatch(const PData& a, const PData& b, const Renumbering& to) : a_(a), b_(b), to_(to) { Count(); }
+  ColumnMatch(const PData& a, const PData& b) : a_(a), b_(b) {}
 
-  /// Whether b without its new columns is a.
-  bool equal() const { return mismatches_ == 0; }
-
-  /// Moves the places of the new columns. Precondition: as many of them as before.
-  void MoveTo(const Renumbering& to) {
-    if (Distance(to_.first, to.first) + Distance(to_.second, to.second) > a_.columns() / 2) {
+  /// Whether b without the new columns is a; the last place asked for is the start of the next question.
+  /// Precondition: as many new columns each time, and b has so many more than a.
+  bool EqualAt(const Renumbering& to) {
+    const bool near = Distance(to_.first, to.first) + Distance(to_.second, to.second) <= a_.columns() / 2;
+    if (mismatches_ < 0 || !near) {
       to_ = to;
-      return Count();
+      Count();
+    } else {
+      Move(to_.first, to.first);
+      Move(to_.second, to.second);
     }
-    Move(to_.first, to.first);
-    Move(to_.second, to.second);
+    return mismatches_ == 0;
   }
 
  private:
@@ -62,7 +62,7 @@ class ColumnMatch {
   const PData& a_;
   const PData& b_;
   Renumbering to_;
-  int mismatches_ = 0;
+  int mismatches_ = -1;  // not counted yet
 };
 
 }  // namespace tact::knot

@@ -30,42 +30,21 @@ int CommonSuffix(const PData& a, const PData& b) {
   return n - k;
 }
 
-// Candidates of one kind in the order of their first columns; the verdict is carried from each to the next.
-class Verdicts {
- public:
-  Verdicts(const PData& a, const PData& b) : a_(a), b_(b) {}
-
-  bool Holds(const Move& move) {
-    const Renumbering to = PlacesOf(move);
-    if (match_) {
-      match_->MoveTo(to);
-    } else {
-      match_.emplace(a_, b_, to);
-    }
-    return match_->equal();
-  }
-
- private:
-  const PData& a_;
-  const PData& b_;
-  std::optional<ColumnMatch> match_;
-};
-
 void FindR1(const PData& a, const PData& b, MoveDirection direction, std::vector<Move>& moves) {
   const int low = a.segments() - CommonSuffix(a, b), high = CommonPrefix(a, b) + 1;
-  Verdicts verdicts(a, b);
+  ColumnMatch match(a, b);
   for (int i = low; i <= high; ++i) {
     const Move move{MoveKind::kR1, direction, {i, 0, 0}, {}, b.attr(i)};
-    if (b.sigma(i) == i + 1 && verdicts.Holds(move)) moves.push_back(move);
+    if (b.sigma(i) == i + 1 && match.EqualAt(PlacesOf(move))) moves.push_back(move);
   }
 }
 
 void FindR2(const PData& a, const PData& b, MoveDirection direction, std::vector<Move>& moves) {
   const int low = a.segments() - CommonSuffix(a, b), high = CommonPrefix(a, b) + 1;
-  Verdicts verdicts(a, b);
+  ColumnMatch match(a, b);
   for (int i = 1; i <= high; ++i) {
     std::optional<Move> move = R2RemovalAt(b, i);
-    if (!move || move->segments[1] < low || !verdicts.Holds(*move)) continue;
+    if (!move || move->segments[1] < low || !match.EqualAt(PlacesOf(*move))) continue;
     move->direction = direction;
     moves.push_back(*move);
   }
