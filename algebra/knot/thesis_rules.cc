@@ -119,6 +119,7 @@ std::optional<int> FindCrossAtOtherEnd(const PData& p_before, const PData& p_t) 
 
 std::optional<char> TypeOf(const PData& p, const std::array<int, 3>& segments) {
   const auto [i, j, k] = segments;
+  if (std::abs(i - j) < 2 || std::abs(j - k) < 2 || std::abs(k - i) < 2) return std::nullopt;  // six numbers
   const auto are = [&](int at_i1, int at_i, int j_column, int at_j) {
     return p.sigma(i - 1) == at_i1 && p.sigma(i) == at_i && p.sigma(j_column) == at_j;
   };
@@ -133,30 +134,38 @@ std::optional<char> TypeOf(const PData& p, const std::array<int, 3>& segments) {
   return std::nullopt;
 }
 
+bool AcceptsR3(const PData& p_before, const PData& p_t, const std::array<int, 3>& segments,
+               const R3Reading& reading) {
+  const auto& s = segments;
+  const int last = p_t.columns() - (reading.last_segment ? 0 : 1);
+  if (p_t.columns() != p_before.columns() || std::max({s[0], s[1], s[2]}) > last) return false;
+  const auto before = TypeOf(p_before, s), after = TypeOf(p_t, s);
+  if (!before || !after || *after != PermittedType(*before)) return false;
+  if (!AreNamedByHeight(p_before, s)) return false;
+  if (reading.triangle != R3Triangle::kNamedBefore && !AreNamedByHeight(p_t, s)) return false;
+  if (reading.triangle == R3Triangle::kFaces && !(BoundAFace(p_before, s) && BoundAFace(p_t, s)))
+    return false;
+  if (reading.same_signs &&
+      !(SignsAgree(p_before, p_t, s[0], s[1]) && SignsAgree(p_before, p_t, s[0], s[2]) &&
+        SignsAgree(p_before, p_t, s[1], s[2]))) {
+    return false;
+  }
+  return RestIsEqual(p_before, p_t, s);
+}
+
 std::vector<R3Conclusion> FindR3(const PData& p_before, const PData& p_t, const R3Reading& reading) {
   std::vector<R3Conclusion> found;
-  if (p_t.columns() != p_before.columns()) return found;
-  const int last = p_t.columns() - (reading.last_segment ? 0 : 1);
-  const auto try_segments = [&](const std::array<int, 3>& s) {
-    const auto before = TypeOf(p_before, s), after = TypeOf(p_t, s);
-    if (!before || !after || *after != PermittedType(*before)) return;
-    if (!AreNamedByHeight(p_before, s)) return;
-    if (reading.triangle != R3Triangle::kNamedBefore && !AreNamedByHeight(p_t, s)) return;
-    if (reading.triangle == R3Triangle::kFaces && !(BoundAFace(p_before, s) && BoundAFace(p_t, s))) return;
-    if (reading.same_signs &&
-        !(SignsAgree(p_before, p_t, s[0], s[1]) && SignsAgree(p_before, p_t, s[0], s[2]) &&
-          SignsAgree(p_before, p_t, s[1], s[2]))) {
-      return;
-    }
-    if (RestIsEqual(p_before, p_t, s)) found.push_back({s, *before});
-  };
+  const int n = p_before.columns();
+  if (p_t.columns() != n) return found;
   // The segments that meet A at its two ends: each of the two that share the column.
-  for (int i = 2; i <= last; ++i) {
+  for (int i = 2; i <= n; ++i) {
     for (const int b_column : {i - 1, i}) {
       const int b = p_before.sigma(b_column), c = p_before.sigma(b_column == i ? i - 1 : i);
       for (const int j : {b, b + 1}) {
         for (const int k : {c, c + 1}) {
-          if (j >= 2 && k >= 2 && j <= last && k <= last) try_segments({i, j, k});
+          if (std::min(j, k) < 2 || std::max(j, k) > n) continue;
+          if (AcceptsR3(p_before, p_t, {i, j, k}, reading))
+            found.push_back({{i, j, k}, *TypeOf(p_before, {i, j, k})});
         }
       }
     }

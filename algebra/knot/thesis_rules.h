@@ -44,7 +44,8 @@ std::optional<int> FindCrossAtSelectiveEnd(const PData& p_before, const PData& p
 /// The segment that the other end is concluded to cross, if C_e(P_t) = P_{t-1}.
 std::optional<int> FindCrossAtOtherEnd(const PData& p_before, const PData& p_t);
 
-/// The type, 'A' to 'H', of segments i, j, k that meet pairwise in three intersections of their own columns; nullopt: they do not.
+/// The type, 'A' to 'H', of segments i, j, k that meet pairwise in three intersections, of six
+/// numbers; nullopt: they do not.
 std::optional<char> TypeOf(const PData& p, const std::array<int, 3>& segments);
 /// What the type becomes by an R_III [thesis, Proposition 13].
 inline char PermittedType(char type) { return static_cast<char>('A' + 'H' - type); }
@@ -61,6 +62,9 @@ struct R3Reading {
       false;  // the sign of each two segments' intersection is kept: the thesis does not ask for it
   bool last_segment = false;  // segment n is tried too, against the printed range 2..n-1
 };
+/// Whether the rule concludes an R_III among the segments A, B, C. Precondition: segments from 2 to n.
+bool AcceptsR3(const PData& p_before, const PData& p_t, const std::array<int, 3>& segments,
+               const R3Reading& reading = {});
 struct R3Conclusion {
   std::array<int, 3> segments{};  // A, B, C
   char type_before = 'A';

@@ -49,6 +49,7 @@ bool RuleAcceptsR2(const KnotCode& before, const KnotCode& after, const Reading&
 
 // sigma(i-1), sigma(i) and the mate of j-1 or j, as the types A to H list them; '-' if the segments do not meet so.
 char TypeOf(const KnotCode& code, int i, int j, int k) {
+  if (std::abs(i - j) < 2 || std::abs(j - k) < 2 || std::abs(k - i) < 2) return '-';  // they have six columns
   const int a = code.mate(i - 1), b = code.mate(i);
   const auto third = [&](int column, int mate) { return code.mate(column) == mate; };
   if (a == j - 1 && b == k - 1 && third(j, k)) return 'A';
