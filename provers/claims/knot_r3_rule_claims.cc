@@ -32,7 +32,8 @@ const std::vector<Variant>& Variants() {
       {"and the triangles are faces", "faces", {R3Triangle::kFaces, false, false}},
       {"and signs are kept", "faces-signs", {R3Triangle::kFaces, true, false}},
       {"the same, segment n too", "corrected", kCorrected},
-      {"named twice, signs kept, segment n too", "signs-only", {R3Triangle::kNamedTwice, true, true}}};
+      {"named twice, signs kept, segment n too", "signs-only", {R3Triangle::kNamedTwice, true, true}},
+      {"faces, segment n too, signs not kept", "faces-whole-range", {R3Triangle::kFaces, false, true}}};
   return variants;
 }
 
