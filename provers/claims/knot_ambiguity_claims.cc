@@ -226,7 +226,7 @@ std::vector<Claim> KnotAmbiguityClaims() {
        "5.2 and 5.4.2", "exhaustive", TryKinds},
       {"thesis.5.3.4.cross-or-r1",
        "R_I and a Cross move explain one transition both just when R_I at the first or last segment does.",
-       "5.3.1, 5.3.4 and 5.4.2", "exhaustive", TryCrossOrR1},
+       "5.3.4, with 5.3.1 and 5.4.2", "exhaustive", TryCrossOrR1},
       {"thesis.5.3.5.selective-end",
        "Applying the rules to P_t and to its equivalent P-data tells which end of P_t is the selective one.",
        "5.3.5", "exhaustive", TrySelectiveEnd},
