@@ -115,7 +115,7 @@ Transition KinkChain(int crossings) {
     chain.Add(2 * k + 2, 1);
     chain.Add(2 * k + 1, 2);
   }
-  return Made(chain.Take(), {MoveKind::kR1, MoveDirection::kAdd, {crossings, 0, 0}, {}, 1});
+  return Made(chain.Take(), {MoveKind::kR1, MoveDirection::kAdd, {crossings | 1, 0, 0}, {}, 1});
 }
 
 // The rope's first half woven over and along its second half, in the same or the opposite order: a lens more may be any of n + 1.

@@ -55,7 +55,7 @@ struct KnotBounds {
 inline KnotBounds BoundsOf(Effort effort) {
   if (effort == Effort::kQuick) return {2, 3, 3};
   if (effort == Effort::kStandard) return {3, 5, 4};
-  return {5, 6, 5};
+  return {5, 6, 6};
 }
 /// "all P-data of up to 3 intersections"
 inline std::string AllPData(int crossings) {
