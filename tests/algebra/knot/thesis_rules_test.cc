@@ -65,12 +65,12 @@ TEST(ThesisRules, RemovalsAreThoseOfTheMovesTheyName) {
       if (move.direction != MoveDirection::kAdd) continue;
       const PData q = Apply(p, move);
       const auto [i, j, unused] = move.segments;
-      if (move.kind == MoveKind::kR1) EXPECT_EQ(RemoveR1(q, i), p);
-      if (move.kind == MoveKind::kR2) EXPECT_EQ(RemoveR2(q, i, j), p);
-      if (move.kind == MoveKind::kCross) {
-        EXPECT_EQ(move.end == RopeEnd::kSelective ? RemoveCrossAtSelectiveEnd(q) : RemoveCrossAtOtherEnd(q),
-                  p);
-      }
+      const bool selective = move.end == RopeEnd::kSelective;
+      EXPECT_EQ(move.kind == MoveKind::kR1   ? RemoveR1(q, i)
+                : move.kind == MoveKind::kR2 ? RemoveR2(q, i, j)
+                : selective                  ? RemoveCrossAtSelectiveEnd(q)
+                                             : RemoveCrossAtOtherEnd(q),
+                p);
     }
   }
 }
