@@ -76,14 +76,16 @@ Trial TryRule(MoveKind kind, Rule rule, Effort effort) {
     ++trial.random_moves;
     trial.missed += Concludes(rule, p, move) ? 0 : 1;
   });
-  ForEachPlanarPDataTo(BoundsOf(effort).larger, [&](const PData& p_t) {
+  const auto conclude = [&](const PData& p_t) {
     for (const PData& before : Removals(kind, p_t)) {
       for (const Move& move : rule(before, p_t)) {
         ++trial.conclusions;
         trial.wrong += IsPlanar(before) && Realises(before, move, p_t) ? 0 : 1;
       }
     }
-  });
+  };
+  ForEachPlanarPDataTo(BoundsOf(effort).larger, conclude);
+  ForEachRandomRope(effort, conclude);
   return trial;
 }
 
@@ -93,7 +95,7 @@ Outcome Judge(const Trial& trial, Effort effort, const std::string& more) {
   if (!trial.holds()) outcome.no_certificate = "the pair was not kept";
   const KnotBounds bounds = BoundsOf(effort);
   outcome.bound = "every such move from " + AllPData(bounds.smaller) + "; every conclusion about " +
-                  AllPData(bounds.larger) + "; random ropes of 6 to 12";
+                  AllPData(bounds.larger) + "; both for random ropes of 6 to 12";
   outcome.numbers = {{"moves from the faces", trial.moves},
                      {"moves of random ropes", trial.random_moves},
                      {"moves missed", trial.missed},

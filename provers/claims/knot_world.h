@@ -91,15 +91,19 @@ inline knot::PData RandomRope(std::mt19937_64& random, int crossings) {
   }
   return p;
 }
-/// Visits all moves of some random ropes of 6 to 12 intersections.
+/// Visits some random ropes of 6 to 12 intersections.
 template <typename Visit>
-void ForEachRandomMove(Effort effort, const Visit& visit) {
+void ForEachRandomRope(Effort effort, const Visit& visit) {
   std::mt19937_64 random(20060329);
   const int ropes = effort == Effort::kQuick ? 7 : effort == Effort::kStandard ? 70 : 3500;
-  for (int k = 0; k < ropes; ++k) {
-    const knot::PData p = RandomRope(random, 6 + k % 7);
+  for (int k = 0; k < ropes; ++k) visit(RandomRope(random, 6 + k % 7));
+}
+/// Visits all their moves.
+template <typename Visit>
+void ForEachRandomMove(Effort effort, const Visit& visit) {
+  ForEachRandomRope(effort, [&](const knot::PData& p) {
     for (const knot::Move& move : AllMoves(p)) visit(p, move);
-  }
+  });
 }
 
 /// The least pair of P-data: the first by fewer columns, then by order; with what belongs to it.
