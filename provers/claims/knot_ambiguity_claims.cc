@@ -193,7 +193,7 @@ PData ReadFromOtherEnd(const PData& p) {
 
 Outcome TryEquivalent(bool attributes, Effort effort) {
   long long tried = 0, wrong = 0;
-  ForEachPlanarPDataTo(BoundsOf(effort).equal, [&](const PData& p) {
+  ForEachPlanarPDataTo(BoundsOf(effort).triangle, [&](const PData& p) {
     ++tried;
     const PData q = ReadFromOtherEnd(p);
     const int n = p.columns();
@@ -206,7 +206,7 @@ Outcome TryEquivalent(bool attributes, Effort effort) {
   Outcome outcome;
   outcome.verdict = wrong == 0 ? Verdict::kProved : Verdict::kRefuted;
   outcome.no_certificate = "one line";
-  outcome.bound = "complete; tried on " + AllPData(BoundsOf(effort).equal);
+  outcome.bound = "complete; tried on " + AllPData(BoundsOf(effort).triangle);
   outcome.numbers = {{"P-data", tried}, {"wrong", wrong}};
   outcome.evidence =
       attributes ? "Heights stay, and both directions turn round, so their product's sign stays. Planarity "

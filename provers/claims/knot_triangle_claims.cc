@@ -97,7 +97,7 @@ void AddTriangles(Tally& tally, const PData& p) {
 
 Tally Count(Effort effort) {
   Tally tally;
-  ForEachPlanarPDataTo(BoundsOf(effort).equal, [&](const PData& p) {
+  ForEachPlanarPDataTo(BoundsOf(effort).triangle, [&](const PData& p) {
     AddTriangles(tally, p);
     for (const Move& move : AllMoves(p, p.crossings())) {
       if (move.kind == MoveKind::kR3) AddMove(tally, p, move);
@@ -119,7 +119,7 @@ const Tally& TallyTo(Effort effort) {
 }
 
 std::string Bound(Effort effort) {
-  return "every R3 of " + AllPData(BoundsOf(effort).equal) + " and of random ropes of 6 to 12";
+  return "every R3 of " + AllPData(BoundsOf(effort).triangle) + " and of random ropes of 6 to 12";
 }
 
 Outcome Hold(Effort effort, long long failures, const std::string& evidence) {

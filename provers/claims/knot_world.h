@@ -48,14 +48,15 @@ void ForEachPlanarPDataTo(int crossings, const Visit& visit) {
   for (int n = 0; n <= crossings; ++n) ForEachPlanarPData(n, visit);
 }
 
-/// How far the claims about moves go: P-data before a move that adds, after it, and of a move that keeps their number.
+/// How far the claims about moves go, in intersections: before a move that adds, after it, of an R3 and what else its rule may
+/// accept, of an R3 alone.
 struct KnotBounds {
-  int smaller = 0, larger = 0, equal = 0;
+  int smaller = 0, larger = 0, equal = 0, triangle = 0;
 };
 inline KnotBounds BoundsOf(Effort effort) {
-  if (effort == Effort::kQuick) return {2, 3, 3};
-  if (effort == Effort::kStandard) return {3, 5, 4};
-  return {5, 6, 6};
+  if (effort == Effort::kQuick) return {2, 3, 3, 3};
+  if (effort == Effort::kStandard) return {3, 5, 4, 4};
+  return {5, 6, 5, 6};
 }
 /// "all P-data of up to 3 intersections"
 inline std::string AllPData(int crossings) {
