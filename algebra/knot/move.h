@@ -54,9 +54,9 @@ Move EquivalentMove(const PData& smaller, const Move& move);
 std::vector<Move> AllMoves(const PData& p, int most_crossings = 1 << 28);
 
 /// Every single move that turns a into b, both read off from the same end, in canonical order: sound and complete
-/// (thesis_rules.h has the thesis' rules, which are neither). Allocates for the answer only.
-/// Cost    O(n) for R1, R3 and Cross. R2: O(n), and from each candidate i, j to the next one i', j' with a greater i the lesser of
-///         O(i' - i + |j' - j|) and O(n): linear where j rises or falls with i, as in twists and chains.
+/// (thesis_rules.h has the thesis' rules, which are neither). Allocates for the answer, and once where
+/// there are many places for an R2.
+/// Cost    O(n), however many moves or places for one there are.
 std::vector<Move> DetectMoves(const PData& a, const PData& b);
 
 /// A move that explains a transition, the selective end of b being the same as a's or the other one.

@@ -5,6 +5,7 @@
 
 #include "algebra/knot/column_match.h"
 #include "algebra/knot/move_sites.h"
+#include "algebra/knot/r2_places.h"
 
 namespace tact::knot {
 namespace {
@@ -40,11 +41,15 @@ void FindR1(const PData& a, const PData& b, MoveDirection direction, std::vector
 }
 
 void FindR2(const PData& a, const PData& b, MoveDirection direction, std::vector<Move>& moves) {
+  constexpr int kCompared = 2;  // so many places are compared before it pays to look at all of them
   const int low = a.segments() - CommonSuffix(a, b), high = CommonPrefix(a, b) + 1;
-  ColumnMatch match(a, b);
+  std::optional<R2Places> places;
+  int tried = 0;
   for (int i = 1; i <= high; ++i) {
     std::optional<Move> move = R2RemovalAt(b, i);
-    if (!move || move->segments[1] < low || !match.EqualAt(PlacesOf(*move))) continue;
+    if (!move || move->segments[1] < low) continue;
+    if (++tried > kCompared && !places) places.emplace(a, b);
+    if (places ? !places->EqualAt(i, move->segments[1]) : !EqualBut(a, PlacesOf(*move), b)) continue;
     move->direction = direction;
     moves.push_back(*move);
   }

@@ -58,9 +58,8 @@ Outcome TryKinds(Effort effort) {
                      {"pairs that other two kinds explain", others}};
   outcome.verdict = least.found && others == 0 ? Verdict::kProved : Verdict::kRefuted;
   outcome.evidence =
-      "R1 and Cross change the number of intersections by one, R2 by two, R3 by none: no other two kinds can "
-      "meet. "
-      "Smallest: from " +
+      "R1 and Cross change the number of intersections by one, R2 by two, R3 by none: no other two kinds "
+      "can meet. Smallest: from " +
       Show(least.before) + " to " + Show(least.after) + ".";
   AddCertificates(outcome, id, least.before, least.more, least.after);
   return outcome;
@@ -92,9 +91,8 @@ Outcome TryCrossOrR1(Effort effort) {
                      {"pairs that R1 and Cross explain", both},
                      {"of these without an R1 at an end segment", both_inside}};
   outcome.evidence =
-      "An R1 at the first or last segment is a Cross of that end over or under its own segment: the loop is "
-      "thrown "
-      "either way.";
+      "An R1 at the first or last segment is a Cross of that end over or under its own segment: the loop "
+      "is thrown either way.";
   if (at_end_without_cross + both_inside == 0) {
     outcome.verdict = Verdict::kHoldsTo;
     return outcome;
@@ -148,10 +146,9 @@ Outcome TrySelectiveEnd(Effort effort) {
   outcome.verdict = undecided + own_before + own_after == 0 ? Verdict::kHoldsTo : Verdict::kRefuted;
   outcome.evidence =
       "Which end of P(t) is the selective one of P(t-1) comes out unless both choices are explained. That "
-      "happens, as "
-      "the thesis' own third picture does [thesis, 5.4.2], where P(t) is its own equivalent, which does no "
-      "harm, and "
-      "where P(t-1) is, when either end may have moved. It also happens where neither is";
+      "happens, as the thesis' own third picture does [thesis, 5.4.2], where P(t) is its own equivalent, "
+      "which does no harm, and where P(t-1) is, when either end may have moved. It also happens where "
+      "neither is";
   if (least.found) {
     outcome.evidence += ". Smallest: from " + Show(least.before) + " moves lead to " + Show(least.after) +
                         " and to its equivalent " + Show(EquivalentPData(least.after)) + ".";
@@ -221,8 +218,7 @@ std::vector<Claim> KnotAmbiguityClaims() {
   return {
       {"thesis.5.2.kinds-overlap",
        "Of the four kinds of movement primitives, R_I and the Cross move and no other two explain one "
-       "transition "
-       "both.",
+       "transition both.",
        "5.2 and 5.4.2", "exhaustive", TryKinds},
       {"thesis.5.3.4.cross-or-r1",
        "R_I and a Cross move explain one transition both just when R_I at the first or last segment does.",

@@ -102,10 +102,9 @@ Outcome Judge(const Trial& trial, Effort effort, const std::string& more) {
                      {"conclusions", trial.conclusions},
                      {"conclusions without such a move", trial.wrong}};
   outcome.evidence =
-      "Complete: each move that the faces of P(t-1) admit is concluded from the pair that it makes, with its "
-      "segment. Sound: whatever the rule concludes from P(t) and any P(t-1) is possible by the faces of "
-      "P(t-1) "
-      "and gives P(t).\n\n" +
+      "Complete: each move that the faces of P(t-1) admit is concluded from the pair that it makes, with "
+      "its segment. Sound: whatever the rule concludes from P(t) and any P(t-1) is possible by the faces "
+      "of P(t-1) and gives P(t).\n\n" +
       more;
   return outcome;
 }
@@ -120,8 +119,8 @@ Outcome TryR1(Effort effort) {
 Outcome TryCross(Effort effort) {
   return Judge(
       TryRule(MoveKind::kCross, ConcludeCross, effort), effort,
-      "Both renumberings are right as printed, and so are the segments concluded. That the crossed "
-      "segment lies on the end's face need not be asked for: P(t) being P-data of a diagram is enough.");
+      "Both renumberings are right as printed, and so are the segments concluded. That the crossed segment "
+      "lies on the end's face need not be asked for: P(t) being P-data of a diagram is enough.");
 }
 
 Outcome TrySeveralWays(Effort effort) {
@@ -165,8 +164,8 @@ Outcome TrySeveralWays(Effort effort) {
 std::vector<Claim> KnotR1CrossRuleClaims() {
   return {
       {"thesis.5.3.1.r1-rule",
-       "A Reidemeister move I occurs at the i-th segment just if (5.2), (5.3) and R_I(P_t, i) = P_{t-1} hold "
-       "for an i from 1 to n(P_{t-1}) + 1.",
+       "A Reidemeister move I occurs at the i-th segment just if (5.2), (5.3) and R_I(P_t, i) = P_{t-1} "
+       "hold for an i from 1 to n(P_{t-1}) + 1.",
        "5.3.1", "exhaustive", TryR1},
       {"thesis.5.3.1.several-ways",
        "Several Reidemeister moves I may exist that realise one transition of P-data.", "5.3.1", "exhaustive",

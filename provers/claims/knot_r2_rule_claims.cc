@@ -116,8 +116,8 @@ Outcome TryPrinted(Effort effort) {
                      {"conclusions without such a move", sound.wrong}};
   outcome.evidence =
       "Sound, not complete: a segment can be laid over itself, as when the rope's end is folded back onto "
-      "its own "
-      "segment, and then i = j, which the printed range 1 <= i < j leaves out. Nothing else is missed.";
+      "its own segment, and then i = j, which the printed range 1 <= i < j leaves out. Nothing else is "
+      "missed.";
   if (complete.least.found) {
     outcome.evidence += "\n\nSmallest: from " + Show(complete.least.before) + " to " +
                         Show(complete.least.after) + ", segment " +
@@ -188,9 +188,8 @@ Outcome TryConditions(Effort effort) {
   outcome.verdict = all_needed && !outcome.certificates.empty() ? Verdict::kProved : Verdict::kUndecided;
   outcome.evidence +=
       "Both halves of (5.7) are needed. The signs differ by themselves where the strands meet the two "
-      "intersections "
-      "in the same order, (5.5): the rope leaves the closed curve of the two segments on one side only. In "
-      "opposite order, (5.6), it may enter on one side and leave on the other.";
+      "intersections in the same order, (5.5): the rope leaves the closed curve of the two segments on one "
+      "side only. In opposite order, (5.6), it may enter on one side and leave on the other.";
   return outcome;
 }
 
@@ -210,19 +209,17 @@ Outcome TrySigns(Effort effort) {
   Outcome outcome;
   outcome.bound = AllPData(BoundsOf(effort).larger);
   outcome.numbers = {{"pairs as in (5.5)", same},
-                     {"of these, crossed to one side twice", same_sign_same},
+                     {"as in (5.5), crossed to one side twice", same_sign_same},
                      {"pairs as in (5.6)", opposite},
-                     {"of these, crossed to one side twice ", same_sign_opposite}};
+                     {"as in (5.6), crossed to one side twice", same_sign_opposite}};
   outcome.verdict = same_sign_same == 0 && same > 0 ? Verdict::kHoldsTo : Verdict::kRefuted;
   if (outcome.verdict == Verdict::kRefuted) outcome.no_certificate = "the pair was not kept";
   outcome.evidence =
-      "Why: the two segments make a closed curve without other intersections. At each of its two corners the "
-      "rope's "
-      "other two strands leave to one side. In the order of (5.5) the piece of rope from the second corner's "
-      "first "
-      "passage to the first corner's second one joins the two sides, so they are one and the lens is empty. "
-      "In "
-      "the order of (5.6) the corners' strands are joined to each other or end, and the sides may differ.";
+      "Why: the two segments make a closed curve without other intersections. At each of its two corners "
+      "the rope's other two strands leave to one side. In the order of (5.5) the piece of rope from the "
+      "second corner's first passage to the first corner's second one joins the two sides, so they are one "
+      "and the lens is empty. In the order of (5.6) the corners' strands are joined to each other or end, "
+      "and the sides may differ.";
   return outcome;
 }
 
@@ -253,12 +250,10 @@ Outcome TryFormula(Effort effort) {
                      {"most in one P-data", most},
                      {"of so many columns", columns}};
   outcome.evidence =
-      "In either order sigma(i) + sigma(i+1) = 2 j + 5. So each i has one j at most and there are fewer than "
-      "n(P(t)) "
-      "places to try. Each comparison is O(n), as the thesis' footnote says, so the rule as it stands takes "
-      "O(n^2) "
-      "where many places pass (5.5)-(5.7), as in a strand woven over another one; DetectMoves carries the "
-      "verdict from one place to the next instead.";
+      "In either order sigma(i) + sigma(i+1) = 2 j + 5. So each i has one j at most and there are fewer "
+      "than n(P(t)) places to try. Each comparison is O(n), as the thesis' footnote says, so the rule as "
+      "it stands takes O(n^2) where many places pass (5.5)-(5.7), as in a strand woven over another one. "
+      "DetectMoves takes one pass from each side and then decides each place in constant time.";
   return outcome;
 }
 
@@ -313,29 +308,25 @@ std::vector<Claim> KnotR2RuleClaims() {
   return {
       {"thesis.5.3.2.r2-rule",
        "A Reidemeister move II occurs between the i-th and j-th segments just if (5.4), (5.5) or (5.6), "
-       "(5.7) and "
-       "R_II(P_t, i, j) = P_{t-1} hold for i, j with 1 <= i < j <= n(P_{t-1}) + 1.",
+       "(5.7) and R_II(P_t, i, j) = P_{t-1} hold for i, j with 1 <= i < j <= n(P_{t-1}) + 1.",
        "5.3.2", "exhaustive", TryPrinted},
       {"thesis.5.3.2.r2-rule-corrected",
        "The rule for the Reidemeister move II with i <= j is sound and complete.", "5.3.2, corrected",
        "exhaustive", TryCorrected},
       {"thesis.5.3.2.heights-and-signs",
        "Of the two intersections that a Reidemeister move II adds, both halves of (5.7) must be asked for: "
-       "the "
-       "same heights and different signs.",
+       "the same heights and different signs.",
        "5.3.2, (5.7)", "exhaustive", TryConditions},
       {"thesis.5.3.2.signs-by-order",
-       "Where two segments meet twice in a row in the order of (5.5), the second intersection leads back to "
-       "the "
-       "side that the first one left.",
+       "Where two segments meet twice in a row in the order of (5.5), the second intersection leads back "
+       "to the side that the first one left.",
        "5.3.2, (5.5)-(5.7)", "exhaustive", TrySigns},
       {"thesis.5.3.2.r2-formula",
        "j = (sigma(i) + sigma(i+1) - 5) / 2, so O(n) places need be tried, with a comparison of O(n) each.",
        "5.3.2", "symbolic", TryFormula},
       {"thesis.5.3.2.figure-5.11",
-       "There is a transition that Reidemeister moves II of just the third and sixth, the first and fourth, "
-       "or the "
-       "second and fifth segments explain.",
+       "There is a transition that Reidemeister moves II of just the third and sixth, the first and "
+       "fourth, or the second and fifth segments explain.",
        "5.3.2, Figure 5.11", "exhaustive", TryFigure}};
 }
 

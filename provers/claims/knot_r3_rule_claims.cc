@@ -196,11 +196,9 @@ Outcome TryPrinted(Effort effort) {
   outcome.verdict = holds ? Verdict::kHoldsTo : Verdict::kRefuted;
   outcome.evidence +=
       "R_III(P, i, j, k) removes six columns, so what they say is never compared: neither their signs nor, "
-      "after the "
-      "move, which strand is over which. And three segments that meet pairwise need not bound a face: the "
-      "rest of "
-      "the rope may lie inside.\n\nCorrected: segments from 2 to n, signs and heights of each two segments' "
-      "intersection kept, the triangle a face (thesis.5.3.3.r3-rule-corrected).";
+      "after the move, which strand is over which. And three segments that meet pairwise need not bound a "
+      "face: the rest of the rope may lie inside.\n\nCorrected: segments from 2 to n, signs and heights of "
+      "each two segments' intersection kept, the triangle a face (thesis.5.3.3.r3-rule-corrected).";
   return outcome;
 }
 
@@ -221,9 +219,8 @@ Outcome TryCorrected(Effort effort) {
       {"moves of random ropes", random_moves}, {"of these missed", random_missed},
       {"conclusions", trial.conclusions},      {"conclusions without such a move", trial.wrong}};
   outcome.evidence =
-      "Segments from 2 to n, named by heights at both times, of a permitted transition between types, signs "
-      "kept, the "
-      "rest equal, and the triangle a face: what is found is just what the faces admit.";
+      "Segments from 2 to n, named by heights at both times, of a permitted transition between types, "
+      "signs kept, the rest equal, and the triangle a face: what is found is just what the faces admit.";
   return outcome;
 }
 
@@ -254,14 +251,12 @@ Outcome TryFace(Effort effort) {
 std::vector<Claim> KnotR3RuleClaims() {
   return {{"thesis.5.3.3.r3-rule",
            "A Reidemeister move III occurs among the i-th, j-th and k-th segments just if they compose a "
-           "triangle "
-           "before and after, 2 <= i, j, k <= n - 1, by a permitted transition between their types, and "
-           "R_III(P_t, i, j, k) = R_III(P_{t-1}, i, j, k).",
+           "triangle before and after, 2 <= i, j, k <= n - 1, by a permitted transition between their "
+           "types, and R_III(P_t, i, j, k) = R_III(P_{t-1}, i, j, k).",
            "5.3.3", "exhaustive", TryPrinted},
           {"thesis.5.3.3.r3-rule-corrected",
-           "The rule for the Reidemeister move III with segments up to n, kept signs and a face as triangle "
-           "is sound "
-           "and complete.",
+           "The rule for the Reidemeister move III with segments up to n, kept signs and a face as "
+           "triangle is sound and complete.",
            "5.3.3, corrected", "exhaustive", TryCorrected},
           {"thesis.5.3.3.triangle-is-a-face",
            "Where the corrected rule's other conditions hold for two P-data, the triangle is a face.",

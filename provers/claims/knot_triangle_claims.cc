@@ -228,17 +228,15 @@ Outcome TryTypes(Effort effort) {
     table.rows.push_back({std::string(1, type), std::to_string(count)});
   outcome.tables = {table};
   outcome.evidence =
-      "By Proposition 10 and Corollary 1 each of the eight pairings is of just one type, and on a sphere all "
-      "eight "
-      "occur. Two of the three segments never follow each other, since they would share a column.";
+      "By Proposition 10 and Corollary 1 each of the eight pairings is of just one type, and on a sphere "
+      "all eight occur. Two of the three segments never follow each other, since they would share a column.";
   return outcome;
 }
 
 Outcome TryProposition11(Effort effort) {
   return Hold(effort, TallyTo(effort).proposition11,
               "More is true: the segments keep their numbers. The move back, read off the faces after it, "
-              "has the same i, "
-              "j and k.");
+              "has the same i, j and k.");
 }
 
 Outcome TryProposition12(Effort effort) {
@@ -248,9 +246,8 @@ Outcome TryProposition12(Effort effort) {
 
 Outcome TryCorollary2(Effort effort) {
   return Hold(effort, TallyTo(effort).corollary2,
-              "By Proposition 12 the i-th intersection after is one with the segment of the (i-1)-th before, "
-              "but that "
-              "segment has exchanged its columns too, so its number is its other one.");
+              "By Proposition 12 the i-th intersection after is one with the segment of the (i-1)-th "
+              "before, but that segment has exchanged its columns too, so its number is its other one.");
 }
 
 Outcome TryProposition13(Effort effort) {
@@ -278,9 +275,8 @@ Outcome TryProposition13(Effort effort) {
     table.rows.push_back({std::string(1, types.first), std::string(1, types.second), std::to_string(count)});
   outcome.tables = {table};
   outcome.evidence =
-      "Exchanging the columns of each segment turns each type into the one that the proposition permits; all "
-      "four "
-      "transitions occur, both ways.";
+      "Exchanging the columns of each segment turns each type into the one that the proposition permits; "
+      "all four transitions occur, both ways.";
   return outcome;
 }
 
