@@ -54,8 +54,9 @@ Move EquivalentMove(const PData& smaller, const Move& move);
 std::vector<Move> AllMoves(const PData& p, int most_crossings = 1 << 28);
 
 /// Every single move that turns a into b, both read off from the same end, in canonical order: sound and complete
-/// (thesis_rules.h has the thesis' rules, which are neither). Allocates for the answer only.
-/// Cost    O(n) where none or few segments are alike; a comparison of O(n) for each move that is found.
+/// (thesis_rules.h has the thesis' rules, which are neither). Allocates for the answer, and once where
+/// there are many places for an R2.
+/// Cost    O(n), however many moves or places for one there are.
 std::vector<Move> DetectMoves(const PData& a, const PData& b);
 
 /// A move that explains a transition, the selective end of b being the same as a's or the other one.

@@ -1,8 +1,11 @@
 // Which single moves turn one P-data into another.
 #include <algorithm>
-#include <initializer_list>
+#include <optional>
+#include <utility>
 
+#include "algebra/knot/column_match.h"
 #include "algebra/knot/move_sites.h"
+#include "algebra/knot/r2_places.h"
 
 namespace tact::knot {
 namespace {
@@ -28,26 +31,47 @@ int CommonSuffix(const PData& a, const PData& b) {
   return n - k;
 }
 
-// The moves that add columns to a and give b; they are what removes them from b.
+void FindR1(const PData& a, const PData& b, MoveDirection direction, std::vector<Move>& moves) {
+  const int low = a.segments() - CommonSuffix(a, b), high = CommonPrefix(a, b) + 1;
+  ColumnMatch match(a, b);
+  for (int i = low; i <= high; ++i) {
+    const Move move{MoveKind::kR1, direction, {i, 0, 0}, {}, b.attr(i)};
+    if (b.sigma(i) == i + 1 && match.EqualAt(PlacesOf(move))) moves.push_back(move);
+  }
+}
+
+void FindR2(const PData& a, const PData& b, MoveDirection direction, std::vector<Move>& moves) {
+  constexpr int kCompared = 2;  // so many places are compared before it pays to look at all of them
+  const int low = a.segments() - CommonSuffix(a, b), high = CommonPrefix(a, b) + 1;
+  std::optional<R2Places> places;
+  int tried = 0;
+  for (int i = 1; i <= high; ++i) {
+    std::optional<Move> move = R2RemovalAt(b, i);
+    if (!move || move->segments[1] < low) continue;
+    if (++tried > kCompared && !places) places.emplace(a, b);
+    if (places ? !places->EqualAt(i, move->segments[1]) : !EqualBut(a, PlacesOf(*move), b)) continue;
+    move->direction = direction;
+    moves.push_back(*move);
+  }
+}
+
+void FindCross(const PData& a, const PData& b, MoveDirection direction, std::vector<Move>& moves) {
+  const int n = b.columns();
+  Move selective{MoveKind::kCross, direction, {b.sigma(1) - 1, 0, 0}, RopeEnd::kSelective, b.attr(1)};
+  Move other{MoveKind::kCross, direction, {b.sigma(n), 0, 0}, RopeEnd::kOther, b.attr(n)};
+  if (other < selective) std::swap(selective, other);
+  for (const Move& move : {selective, other}) {
+    if (EqualBut(a, PlacesOf(move), b)) moves.push_back(move);
+  }
+}
+
+// The moves that add columns to a and give b, in canonical order; they are what removes them from b.
 void FindAdditions(const PData& a, const PData& b, MoveDirection direction, std::vector<Move>& moves) {
-  const int n = a.columns();
-  const auto add = [&](Move move) {
-    if (!EqualBut(a, ColumnsOf(move, n).to, b)) return;
-    move.direction = direction;
-    moves.push_back(move);
-  };
-  const int low = n - CommonSuffix(a, b) + 1, high = CommonPrefix(a, b) + 1;
-  if (b.columns() == n + 2) {
-    for (int i = std::max(low, 1); i <= std::min(high, n + 1); ++i) {
-      if (b.sigma(i) == i + 1) add({MoveKind::kR1, direction, {i, 0, 0}, {}, b.attr(i)});
-    }
-    add({MoveKind::kCross, direction, {b.sigma(1) - 1, 0, 0}, RopeEnd::kSelective, b.attr(1)});
-    add({MoveKind::kCross, direction, {b.sigma(n + 2), 0, 0}, RopeEnd::kOther, b.attr(n + 2)});
+  if (b.columns() == a.columns() + 2) {
+    FindR1(a, b, direction, moves);
+    FindCross(a, b, direction, moves);
   } else {
-    for (int i = 1; i <= std::min(high, n + 1); ++i) {
-      const auto move = R2RemovalAt(b, i);
-      if (move && move->segments[1] >= low) add(*move);
-    }
+    FindR2(a, b, direction, moves);
   }
 }
 
@@ -90,8 +114,6 @@ std::vector<Move> DetectMoves(const PData& a, const PData& b) {
   if (more == 2 || more == 4) FindAdditions(a, b, MoveDirection::kAdd, moves);
   if (more == -2 || more == -4) FindAdditions(b, a, MoveDirection::kRemove, moves);
   if (more == 0) FindShift(a, b, moves);
-  std::sort(moves.begin(), moves.end());
-  moves.erase(std::unique(moves.begin(), moves.end()), moves.end());
   return moves;
 }
 

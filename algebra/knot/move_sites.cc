@@ -4,12 +4,27 @@
 
 namespace tact::knot {
 
+Renumbering PlacesOf(const Move& move) {
+  const int i = move.segments[0];
+  switch (move.kind) {
+    case MoveKind::kR1:
+      return {i, 2};
+    case MoveKind::kR2:
+      return {i, 2, move.segments[1], 2};
+    case MoveKind::kCross:
+      return move.end == RopeEnd::kSelective ? Renumbering{1, 1, i, 1} : Renumbering{i, 1};
+    case MoveKind::kR3:
+      break;
+  }
+  return {};
+}
+
 AddedColumns ColumnsOf(const Move& move, int n) {
   const int i = move.segments[0], j = move.segments[1], attr = move.attr, mate = MateAttribute(attr);
   AddedColumns added;
+  added.to = PlacesOf(move);
   switch (move.kind) {
     case MoveKind::kR1:
-      added.to = {i, 2};
       added.columns = {NewColumn{i, i + 1, attr}, {i + 1, i, mate}};
       added.count = 2;
       break;
@@ -17,7 +32,6 @@ AddedColumns ColumnsOf(const Move& move, int n) {
       // The same height with the other sign.
       const int attr2 = attr > 2 ? attr - 2 : attr + 2, mate2 = MateAttribute(attr2);
       const int first = move.opposite ? j + 3 : j + 2, second = move.opposite ? j + 2 : j + 3;
-      added.to = {i, 2, j, 2};
       added.columns = {NewColumn{i, first, attr},
                        {i + 1, second, attr2},
                        {j + 2, move.opposite ? i + 1 : i, move.opposite ? mate2 : mate},
@@ -27,10 +41,8 @@ AddedColumns ColumnsOf(const Move& move, int n) {
     }
     case MoveKind::kCross:
       if (move.end == RopeEnd::kSelective) {
-        added.to = {1, 1, i, 1};
         added.columns = {NewColumn{1, i + 1, attr}, {i + 1, 1, mate}};
       } else {
-        added.to = {i, 1};
         added.columns = {NewColumn{i, n + 2, mate}, {n + 2, i, attr}};
       }
       added.count = 2;

@@ -16,6 +16,8 @@ struct AddedColumns {
   int count = 0;
 };
 AddedColumns ColumnsOf(const Move& move, int n);
+/// Where the other columns go: the same as ColumnsOf(move, n).to for every n.
+Renumbering PlacesOf(const Move& move);
 
 /// The darts with the face on their left in which an R2 takes place, of the segments i and j.
 struct R2Site {

@@ -9,13 +9,15 @@
 namespace tact::check {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, void (*)(const Value&)>, 6> kKinds = {{
+constexpr std::array<std::pair<std::string_view, void (*)(const Value&)>, 8> kKinds = {{
     {"motion-dofs", CheckMotionDofs},
     {"transitions", CheckTransitions},
     {"basis", CheckBasis},
     {"ill-reduced-singular", CheckIllReducedSingular},
     {"dof-classes", CheckDofClasses},
     {"motion-path", CheckMotionPath},
+    {"knot-move", CheckKnotMove},
+    {"knot-rule", CheckKnotRule},
 }};
 constexpr std::array<std::string_view, 6> kCommonKeys = {"format", "version",   "claim",
                                                          "kind",   "statement", "note"};

@@ -30,5 +30,9 @@ void CheckMotionPath(const Value& certificate);
 void CheckBasis(const Value& certificate);
 void CheckIllReducedSingular(const Value& certificate);
 void CheckDofClasses(const Value& certificate);
+/// One move between two codes of a rope's diagram.
+void CheckKnotMove(const Value& certificate);
+/// A pair of codes on which a rule of the thesis misses a move or accepts where there is none.
+void CheckKnotRule(const Value& certificate);
 
 }  // namespace tact::check

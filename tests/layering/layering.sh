@@ -53,7 +53,7 @@ BEGIN {
   may["cli"] = " algebra enumerators robot provers provers/check cli "
   all = " algebra enumerators robot provers provers/check cli "
   may["benchmarks"] = all "benchmarks "
-  may["tests"] = all "tests "
+  may["tests"] = all "benchmarks tests "
   may["examples"] = all "examples "
 }
 

@@ -47,7 +47,7 @@ declare -A may=([algebra]='algebra' [enumerators]='algebra enumerators' [robot]=
   [provers]='algebra enumerators robot provers' [provers/check]='provers/check'
   [cli]='algebra enumerators robot provers provers/check cli'
   [benchmarks]='algebra enumerators robot provers provers/check cli benchmarks'
-  [tests]='algebra enumerators robot provers provers/check cli tests')
+  [tests]='algebra enumerators robot provers provers/check cli benchmarks tests')
 
 # Every pair of rooms, in both directions.
 for from in "${!header[@]}"; do

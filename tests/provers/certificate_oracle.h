@@ -15,6 +15,7 @@
 #include "algebra/exact/linear_algebra.h"
 #include "enumerators/contact_world.h"
 #include "enumerators/dof_class.h"
+#include "tests/provers/knot_oracle.h"
 
 namespace tact::provers::oracle {
 
@@ -320,6 +321,8 @@ inline bool IsRight(const json& c) {
   if (kind == "basis") return BasisIsRight(c);
   if (kind == "ill-reduced-singular") return IllReducedIsRight(c);
   if (kind == "motion-path") return PathIsRight(c);
+  if (kind == "knot-move") return KnotMoveIsRight(c);
+  if (kind == "knot-rule") return KnotRuleIsRight(c);
   if (kind != "motion-dofs") return false;
   const auto dof = RightRelation(c["relation"]);
   return dof && AssertsHold(c, *dof);

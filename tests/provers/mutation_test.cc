@@ -131,6 +131,13 @@ void TryMutations(Effort effort) {
                               "motion-dofs /relation/contacts/point",
                               "motion-dofs /relation/contacts/planes",
                               "motion-dofs /relation/dof/all/maintaining",
+                              "knot-move /before/sigma",
+                              "knot-move /after/attr",
+                              "knot-move /move/segments",
+                              "knot-move /move/attr",
+                              "knot-rule /before/sigma",
+                              "knot-rule /after/attr",
+                              "knot-rule /misses/segments",
                               "transitions /transitions/from",
                               "transitions /transitions/to",
                               "transitions /expects/changes/translation.maintaining"}) {

@@ -1,0 +1,126 @@
+/// @file
+/// All P-data of a sphere with so many intersections, and words that the claims about moves share.
+/// Model   Removing the last column and its mate (a Cross move of the other end) leads from every P-data down to the straight
+///         rope; its inverses, one for each dart of the tip's face and each height, build each P-data once.
+#pragma once
+
+#include <algorithm>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "algebra/knot/columns.h"
+#include "algebra/knot/faces.h"
+#include "algebra/knot/move.h"
+#include "provers/ledger.h"
+
+namespace tact::provers {
+
+namespace knot_world_detail {
+template <typename Visit>
+void Grow(const knot::PData& p, int more, const Visit& visit) {
+  if (more == 0) return visit(p);
+  const knot::Dart tip{p.segments(), true};
+  const int n = p.columns();
+  knot::Dart d = tip;
+  do {
+    for (const bool over : {true, false}) {
+      // The tip leaves the dart's left side: the dart's own direction sees it go to the right.
+      const int attr = knot::AttributeOf(over, d.forward ? 1 : -1);
+      Grow(InsertColumns(p, {d.segment, 1},
+                         {{d.segment, n + 2, knot::MateAttribute(attr)}, {n + 2, d.segment, attr}}),
+           more - 1, visit);
+    }
+    d = NextDart(p, d);
+  } while (d != tip);
+}
+}  // namespace knot_world_detail
+
+/// Visits each planar P-data with exactly that many intersections once, in an order that does not vary.
+template <typename Visit>
+void ForEachPlanarPData(int crossings, const Visit& visit) {
+  knot_world_detail::Grow(knot::PData(), crossings, visit);
+}
+/// With up to that many.
+template <typename Visit>
+void ForEachPlanarPDataTo(int crossings, const Visit& visit) {
+  for (int n = 0; n <= crossings; ++n) ForEachPlanarPData(n, visit);
+}
+
+/// How far the claims about moves go, in intersections: before a move that adds, after it, of an R3 and what else its rule may
+/// accept, of an R3 alone.
+struct KnotBounds {
+  int smaller = 0, larger = 0, equal = 0, triangle = 0;
+};
+inline KnotBounds BoundsOf(Effort effort) {
+  if (effort == Effort::kQuick) return {2, 3, 3, 3};
+  if (effort == Effort::kStandard) return {3, 5, 4, 4};
+  return {5, 6, 5, 6};
+}
+/// "all P-data of up to 3 intersections"
+inline std::string AllPData(int crossings) {
+  return "all P-data of up to " + std::to_string(crossings) + " intersections";
+}
+
+/// "(4 5 6 1 2 3; 3 4 3 4 3 4)", mates and attributes; "the straight rope".
+inline std::string Show(const knot::PData& p) {
+  if (p.columns() == 0) return "the straight rope";
+  const auto row = [](const std::vector<int>& numbers) {
+    std::string text;
+    for (const int n : numbers) text += (text.empty() ? "" : " ") + std::to_string(n);
+    return text;
+  };
+  return "(" + row(p.SigmaRow()) + "; " + row(p.AttrRow()) + ")";
+}
+
+/// Whether the move, which adds or shifts, is possible by the faces of p and gives q.
+inline bool Realises(const knot::PData& p, const knot::Move& move, const knot::PData& q) {
+  return !FindMoveFault(p, move) && Apply(p, move) == q;
+}
+
+/// A rope of so many intersections by random moves that add.
+inline knot::PData RandomRope(std::mt19937_64& random, int crossings) {
+  knot::PData p;
+  while (p.crossings() < crossings) {
+    auto moves = AllMoves(p, crossings);
+    const bool cross = random() % 4 != 0;
+    std::erase_if(moves, [&](const knot::Move& m) {
+      return m.direction != knot::MoveDirection::kAdd || (cross && m.kind != knot::MoveKind::kCross);
+    });
+    p = Apply(p, moves[random() % moves.size()]);
+  }
+  return p;
+}
+/// Visits some random ropes of 6 to 12 intersections.
+template <typename Visit>
+void ForEachRandomRope(Effort effort, const Visit& visit) {
+  std::mt19937_64 random(20060329);
+  const int ropes = effort == Effort::kQuick ? 7 : effort == Effort::kStandard ? 70 : 3500;
+  for (int k = 0; k < ropes; ++k) visit(RandomRope(random, 6 + k % 7));
+}
+/// Visits all their moves.
+template <typename Visit>
+void ForEachRandomMove(Effort effort, const Visit& visit) {
+  ForEachRandomRope(effort, [&](const knot::PData& p) {
+    for (const knot::Move& move : AllMoves(p)) visit(p, move);
+  });
+}
+
+/// The least pair of P-data: the first by fewer columns, then by order; with what belongs to it.
+template <typename More>
+struct LeastPair {
+  bool found = false;
+  knot::PData before, after;
+  More more{};
+
+  void Offer(const knot::PData& p, const knot::PData& q, const More& with) {
+    if (found && std::pair(before, after) <= std::pair(p, q)) return;
+    found = true;
+    before = p;
+    after = q;
+    more = with;
+  }
+};
+
+}  // namespace tact::provers
