@@ -9,13 +9,14 @@
 namespace tact::check {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, void (*)(const Value&)>, 6> kKinds = {{
+constexpr std::array<std::pair<std::string_view, void (*)(const Value&)>, 7> kKinds = {{
     {"motion-dofs", CheckMotionDofs},
     {"transitions", CheckTransitions},
     {"basis", CheckBasis},
     {"ill-reduced-singular", CheckIllReducedSingular},
     {"dof-classes", CheckDofClasses},
     {"motion-path", CheckMotionPath},
+    {"knot-tying", CheckKnotTying},
 }};
 constexpr std::array<std::string_view, 6> kCommonKeys = {"format", "version",   "claim",
                                                          "kind",   "statement", "note"};

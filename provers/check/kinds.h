@@ -30,5 +30,6 @@ void CheckMotionPath(const Value& certificate);
 void CheckBasis(const Value& certificate);
 void CheckIllReducedSingular(const Value& certificate);
 void CheckDofClasses(const Value& certificate);
+void CheckKnotTying(const Value& certificate);
 
 }  // namespace tact::check
