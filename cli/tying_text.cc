@@ -2,6 +2,7 @@
 
 #include "cli/json_text.h"
 #include "cli/text_pieces.h"
+#include "provers/tying_certificate.h"
 
 namespace tact::cli {
 namespace {
@@ -47,25 +48,6 @@ std::string MoveInWords(const Move& move) {
   return "";
 }
 
-std::string MoveToJson(const Move& move) {
-  constexpr const char* kKinds[] = {"R1", "R2", "R3", "Cross"};
-  constexpr const char* kDirections[] = {"add", "remove", "shift"};
-  constexpr const char* kEnds[] = {"null", "\"selective\"", "\"other\""};
-  std::string segments;
-  for (const int segment : move.segments) {
-    if (segment != 0) segments += (segments.empty() ? "" : ",") + std::to_string(segment);
-  }
-  return std::string("{\"kind\":\"") + kKinds[static_cast<size_t>(move.kind)] + "\",\"direction\":\"" +
-         kDirections[static_cast<size_t>(move.direction)] + "\",\"segments\":[" + segments +
-         "],\"end\":" + kEnds[static_cast<size_t>(move.end)] +
-         ",\"selective_end\":\"same\",\"attr\":" + (move.attr == 0 ? "null" : std::to_string(move.attr)) +
-         ",\"order\":" +
-         (move.kind != MoveKind::kR2 ? "null"
-          : move.opposite            ? "\"opposite\""
-                                     : "\"same\"") +
-         "}";
-}
-
 std::string TyingToJson(const knot::Tying& tying) {
   std::string text =
       "{\"steps\":" + (tying.found ? std::to_string(tying.steps.size()) : "null") +
@@ -75,7 +57,8 @@ std::string TyingToJson(const knot::Tying& tying) {
   return text + ",\"sequence\":[" +
          Join(tying.steps, ",",
               [](const knot::TyingStep& step) {
-                return "{\"move\":" + MoveToJson(step.move) + ",\"p_data\":" + step.reached.ToJson() + "}";
+                return "{\"move\":" + provers::MoveToJson(step.move) +
+                       ",\"p_data\":" + step.reached.ToJson() + "}";
               }) +
          "]}\n";
 }

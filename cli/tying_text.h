@@ -10,8 +10,6 @@ namespace tact::cli {
 
 /// "the other end crosses over segment 3", "a loop at segment 2", "segment 2 slides under segment 5".
 std::string MoveInWords(const knot::Move& move);
-/// The object of `tact knot moves --json`, the selective end being the same.
-std::string MoveToJson(const knot::Move& move);
 /// The object of `tact knot tie --json`, with a line's end.
 std::string TyingToJson(const knot::Tying& tying);
 /// A line a step, and what is known of shorter sequences.

@@ -109,17 +109,17 @@ std::vector<uint8_t> MoveGraph::Distances(const knot::MoveRules& rules) const {
   return distance;
 }
 
-std::vector<uint32_t> MoveGraph::Classes(const knot::MoveRules& rules) const {
-  std::vector<uint32_t> parent(nodes());
+std::vector<uint32_t> MoveGraph::Classes(const knot::MoveRules& rules, int bound) const {
+  std::vector<uint32_t> parent(first(std::min(bound, most_crossings()) + 1));
   std::iota(parent.begin(), parent.end(), 0u);
-  for (uint32_t node = 0; node < nodes(); ++node) {
+  for (uint32_t node = 0; node < parent.size(); ++node) {
     for (const Edge* e = begin(node); e != end(node); ++e) {
       if (!Allows(rules, static_cast<EdgeKind>(e->kind))) continue;
       const uint32_t a = Root(parent, node), b = Root(parent, e->to);
       parent[std::max(a, b)] = std::min(a, b);
     }
   }
-  for (uint32_t node = 0; node < nodes(); ++node) parent[node] = Root(parent, node);
+  for (uint32_t node = 0; node < parent.size(); ++node) parent[node] = Root(parent, node);
   return parent;
 }
 

@@ -50,8 +50,8 @@ class MoveGraph {
   static constexpr uint8_t kUnreached = 255;
   /// Steps from the straight rope by allowed moves, within the graph.
   std::vector<uint8_t> Distances(const knot::MoveRules& rules) const;
-  /// The least node of each node's class: those that allowed moves lead to, within the graph.
-  std::vector<uint32_t> Classes(const knot::MoveRules& rules) const;
+  /// The least node of each node's class: those that allowed moves lead to, within so many intersections.
+  std::vector<uint32_t> Classes(const knot::MoveRules& rules, int most_crossings = kMostCrossings) const;
 
  private:
   knot::PDataStore store_;

@@ -47,7 +47,7 @@ struct TyingOptions {
   size_t most_states = 3'000'000;   // P-data kept
   size_t most_bytes = 400'000'000;  // what they take, about
   /// Told now and then: the length that is on trial, and how many P-data are kept.
-  std::function<void(int length, size_t states)> progress;
+  std::function<void(int length, size_t states)> progress = {};
 };
 
 struct TyingStep {
