@@ -308,8 +308,9 @@ inline bool DofClassesAreRight(const json& c) {
   return true;
 }
 
-/// In path_oracle.h.
+/// In path_oracle.h and tying_oracle.h.
 inline bool PathIsRight(const json& c);
+inline bool TyingIsRight(const json& c);
 
 inline bool IsRight(const json& c) {
   if (c["version"] != 1) return false;
@@ -320,6 +321,7 @@ inline bool IsRight(const json& c) {
   if (kind == "basis") return BasisIsRight(c);
   if (kind == "ill-reduced-singular") return IllReducedIsRight(c);
   if (kind == "motion-path") return PathIsRight(c);
+  if (kind == "knot-tying") return TyingIsRight(c);
   if (kind != "motion-dofs") return false;
   const auto dof = RightRelation(c["relation"]);
   return dof && AssertsHold(c, *dof);
@@ -328,3 +330,4 @@ inline bool IsRight(const json& c) {
 }  // namespace tact::provers::oracle
 
 #include "tests/provers/path_oracle.h"
+#include "tests/provers/tying_oracle.h"

@@ -92,6 +92,12 @@ const std::map<std::string, Expected>& ExpectedVerdicts() {
       {"thesis.2.8.2.transition-5", {kReproduced, "upright, both edges on both rims: singular"}},
       {"thesis.2.8.2.transition-6", {kReproduced, "between the walls: critical"}},
       {"thesis.2.8.2.transition-7", {kReproduced, "on the ground"}},
+      {"thesis.5.2.3.every-p-data-is-tied", {kProved, "an end can always go back"}},
+      {"thesis.5.2.3.end-crossing-is-cross", {kRefuted, "an end crosses two segments at once"}},
+      {"thesis.5.2.3.no-single-move-without-ends", {kProved, "one loop for another takes two R1"}},
+      {"thesis.5.2.3.kinds-needed", {kRefuted, "Cross moves alone tie everything"}},
+      {"thesis.5.2.3.r3-redundant", {kRefuted, "three R2 and an R3 where five others are needed"}},
+      {"thesis.5.2.3.untying-adds-nothing", {kHoldsTo, "nothing hard is as small as this"}},
       {"thesis.A.1.rotation-equations", {kHoldsTo, "the combinations span the left null space of N"}}};
   return expected;
 }
