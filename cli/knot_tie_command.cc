@@ -14,7 +14,7 @@ namespace {
 
 knot::MoveRules ReadRules(const KnotOptions& options) {
   knot::MoveRules rules{false, false, false, false};
-  std::istringstream words(options.moves);
+  std::istringstream words(options.moves + ",");  // so that nothing is one empty word
   for (std::string word; std::getline(words, word, ',');) {
     bool* const allowed = word == "R1"      ? &rules.r1
                           : word == "R2"    ? &rules.r2

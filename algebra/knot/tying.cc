@@ -37,7 +37,7 @@ Tying TieGreedily(const PData& knot, const MoveRules& rules) {
   }
   Tying tying;
   tying.found = true;
-  tying.steps = TurnRound(states, undoing);
+  tying.steps = TurnRound(std::move(states), undoing);
   return tying;
 }
 

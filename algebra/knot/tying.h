@@ -5,7 +5,7 @@
 ///         read off from the same end: while a rope is tied its ends keep their names. A level that is searched to its end
 ///         excludes its length, whatever the number of intersections on the way: the bound grows with them.
 /// Method  The search is A* with a consistent bound, each state opened in part: only by moves that keep to the level
-///         [Hart, Nilsson, Raphael 1968].
+///         [Hart et al. 1968].
 /// Errors  PreconditionError: a knot that no sphere holds. BudgetError: nothing was found or excluded for good within the budget.
 #pragma once
 
@@ -45,7 +45,7 @@ struct TyingOptions {
   MoveRules rules;
   int limit = INT_MAX;              // steps at most
   size_t most_states = 3'000'000;   // P-data kept
-  size_t most_bytes = 400'000'000;  // what they take, about
+  size_t most_bytes = 200'000'000;  // what they take, about; while they grow, twice that
   /// Told now and then: the length that is on trial, and how many P-data are kept.
   std::function<void(int length, size_t states)> progress = {};
 };

@@ -39,9 +39,9 @@ void ListRemovals(const PData& p, const MoveRules& rules, std::vector<Move>& mov
   add({MoveKind::kCross, remove, {p.sigma(1) - 1, 0, 0}, RopeEnd::kSelective, p.attr(1)});
 }
 
-std::vector<TyingStep> TurnRound(const std::vector<PData>& states, const std::vector<Move>& undoing) {
+std::vector<TyingStep> TurnRound(std::vector<PData> states, const std::vector<Move>& undoing) {
   std::vector<TyingStep> steps;
-  for (size_t k = undoing.size(); k-- > 0;) steps.push_back({Inverse(undoing[k]), states[k]});
+  for (size_t k = undoing.size(); k-- > 0;) steps.push_back({Inverse(undoing[k]), std::move(states[k])});
   return steps;
 }
 
@@ -79,7 +79,7 @@ std::vector<TyingStep> TyingSearch::Steps() const {
   }
   std::reverse(undoing.begin(), undoing.end());
   std::reverse(states.begin(), states.end());
-  return TurnRound(states, undoing);
+  return TurnRound(std::move(states), undoing);
 }
 
 // Moves of the sequence are found again: the search keeps none.

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "algebra/knot/p_data_store.h"
@@ -18,7 +19,7 @@ PData ApplyFound(const PData& p, const Move& move);
 /// The moves that take intersections away: R2, R1, then Cross of the other end and of the selective one.
 void ListRemovals(const PData& p, const MoveRules& rules, std::vector<Move>& moves);
 /// Steps that undo a knot, turned into steps that tie it; undoing[k] leads from states[k] to states[k + 1].
-std::vector<TyingStep> TurnRound(const std::vector<PData>& states, const std::vector<Move>& undoing);
+std::vector<TyingStep> TurnRound(std::vector<PData> states, const std::vector<Move>& undoing);
 
 class TyingSearch {
  public:

@@ -78,7 +78,7 @@ TEST(MoveGraph, PairsAndMovesAreThoseThatDetectionFinds) {
   }
 }
 
-// To five intersections no shortest sequence leads over more than five: the search, which has no such bound, agrees.
+// To four intersections no shortest sequence leads over more: the search, which has no such bound, agrees.
 TEST(MoveGraph, DistancesAreTheLengthsOfShortestSequences) {
   const MoveGraph graph(4);
   for (const MoveRules& rules :
