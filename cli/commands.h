@@ -43,6 +43,11 @@ struct EnumerateOptions {
   bool yes = false;                  // however long it takes
 };
 
+struct MoveGraphOptions {
+  long long crossings = 4;  // intersections, at most
+  bool json = false;
+};
+
 /// Of the commands `tact knot ...`; each uses some.
 struct KnotOptions {
   std::vector<std::string> inputs;       // P-data or curves: files, names of examples/knots, or texts
@@ -74,6 +79,8 @@ ExitStatus RunVerify(const VerifyOptions& options);
 ExitStatus RunEnumerateDofClasses(const EnumerateOptions& options);
 /// Steps between contact relations, and the DOF-transitions that solids show.
 ExitStatus RunEnumerateDofTransitions(const EnumerateOptions& options);
+/// The move graph of all P-data with few intersections.
+ExitStatus RunEnumerateMoves(const MoveGraphOptions& options);
 /// P-data in another notation.
 ExitStatus RunKnotConvert(const KnotOptions& options);
 /// Whether a text is P-data, whether a sphere holds it, what it is made of.

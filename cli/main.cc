@@ -87,6 +87,20 @@ constexpr const char* kDofTransitionsHelp =
     "\"witness\"}],...}\n"
     "Example: tact enumerate dof-transitions --world cube --contacts 5 -o transitions";
 
+constexpr const char* kMovesHelp =
+    "The move graph: all P-data of a sphere with at most so many intersections, as read off from one end,\n"
+    "joined by the four movement primitives. Distances and classes are those of the graph: on the way there\n"
+    "are never more intersections than N. Six take 20 seconds and 200 MB.\n"
+    "JSON: {\"crossings\",\"p_data\",\"levels\":[{\"crossings\",\"p_data\",\"self_equivalent\",\"steps\",\n"
+    "  "
+    "\"straight_class\",\"straight_bracket\"}],\"edges\":[{\"kind\",\"from\",\"to\",\"moves\",\"pairs\"}],\n"
+    "  \"pairs\",\"pairs_by_kinds\":[{\"kinds\",\"pairs\"}],\"pairs_with_several_kinds\",\n"
+    "  \"pairs_with_several_moves\",\"without_cross\":{\"classes\",\"brackets\"}}; steps[d] counts P-data at "
+    "d\n"
+    "  steps from the straight rope; an edge is an addition (the removals are as many) or an R3 (both "
+    "ways).\n"
+    "Example: tact enumerate moves --crossings 4";
+
 std::string CommandNames(const CLI::App& app) {
   std::string names;
   for (const CLI::App* command : app.get_subcommands({}))
@@ -107,6 +121,7 @@ struct Request {
   VerifyOptions verify;
   EnumerateOptions classes;
   EnumerateOptions transitions;
+  MoveGraphOptions moves;
   std::function<ExitStatus()> run;
 };
 
@@ -192,6 +207,11 @@ void AddEnumerateCommand(CLI::App& app, Request& request) {
   AddEnumeration(*parser, request, request.transitions, "dof-transitions",
                  "Steps between contact relations, and the thirty DOF-transitions as solids that move",
                  kDofTransitionsHelp, RunEnumerateDofTransitions);
+  CLI::App* moves = parser->add_subcommand("moves", "The move graph of all P-data with few intersections");
+  moves->footer(kMovesHelp);
+  moves->add_option("--crossings", request.moves.crossings, "intersections, at most")->capture_default_str();
+  moves->add_flag("--json", request.moves.json, "answer in JSON");
+  moves->callback([&request] { request.run = [&request] { return RunEnumerateMoves(request.moves); }; });
 }
 
 void AddCommands(CLI::App& app, Request& request) {

@@ -9,7 +9,7 @@
 namespace tact::check {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, void (*)(const Value&)>, 8> kKinds = {{
+constexpr std::array<std::pair<std::string_view, void (*)(const Value&)>, 9> kKinds = {{
     {"motion-dofs", CheckMotionDofs},
     {"transitions", CheckTransitions},
     {"basis", CheckBasis},
@@ -18,6 +18,7 @@ constexpr std::array<std::pair<std::string_view, void (*)(const Value&)>, 8> kKi
     {"motion-path", CheckMotionPath},
     {"knot-move", CheckKnotMove},
     {"knot-rule", CheckKnotRule},
+    {"knot-tying", CheckKnotTying},
 }};
 constexpr std::array<std::string_view, 6> kCommonKeys = {"format", "version",   "claim",
                                                          "kind",   "statement", "note"};

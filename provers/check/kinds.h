@@ -34,5 +34,6 @@ void CheckDofClasses(const Value& certificate);
 void CheckKnotMove(const Value& certificate);
 /// A pair of codes on which a rule of the thesis misses a move or accepts where there is none.
 void CheckKnotRule(const Value& certificate);
+void CheckKnotTying(const Value& certificate);
 
 }  // namespace tact::check

@@ -309,8 +309,9 @@ inline bool DofClassesAreRight(const json& c) {
   return true;
 }
 
-/// In path_oracle.h.
+/// In path_oracle.h and tying_oracle.h.
 inline bool PathIsRight(const json& c);
+inline bool TyingIsRight(const json& c);
 
 inline bool IsRight(const json& c) {
   if (c["version"] != 1) return false;
@@ -323,6 +324,7 @@ inline bool IsRight(const json& c) {
   if (kind == "motion-path") return PathIsRight(c);
   if (kind == "knot-move") return KnotMoveIsRight(c);
   if (kind == "knot-rule") return KnotRuleIsRight(c);
+  if (kind == "knot-tying") return TyingIsRight(c);
   if (kind != "motion-dofs") return false;
   const auto dof = RightRelation(c["relation"]);
   return dof && AssertsHold(c, *dof);
@@ -331,3 +333,4 @@ inline bool IsRight(const json& c) {
 }  // namespace tact::provers::oracle
 
 #include "tests/provers/path_oracle.h"
+#include "tests/provers/tying_oracle.h"

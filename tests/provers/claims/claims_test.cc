@@ -116,6 +116,12 @@ const std::map<std::string, Expected>& ExpectedVerdicts() {
       {"thesis.5.3.5.selective-end", {kRefuted, "the straight rope's ends are alike"}},
       {"thesis.5.3.5.proposition-14", {kProved, "counted from the other end"}},
       {"thesis.5.3.5.proposition-15", {kProved, "two signs change"}},
+      {"thesis.5.2.3.every-p-data-is-tied", {kProved, "an end can always go back"}},
+      {"thesis.5.2.3.end-crossing-is-cross", {kRefuted, "an end crosses two segments at once"}},
+      {"thesis.5.2.3.no-single-move-without-ends", {kProved, "one loop for another takes two R1"}},
+      {"thesis.5.2.3.kinds-needed", {kRefuted, "Cross moves alone tie everything"}},
+      {"thesis.5.2.3.r3-redundant", {kRefuted, "three R2 and an R3 where five others are needed"}},
+      {"thesis.5.2.3.untying-adds-nothing", {kHoldsTo, "nothing hard is as small as this"}},
       {"thesis.A.1.rotation-equations", {kHoldsTo, "the combinations span the left null space of N"}}};
   return expected;
 }
