@@ -50,15 +50,11 @@ struct MoveGraphOptions {
 
 /// Of the commands `tact knot ...`; each uses some.
 struct KnotOptions {
-  std::vector<std::string> inputs;       // P-data or curves: files, names of examples/knots, or texts
+  std::vector<std::string> inputs;       // P-data: files or texts
   std::string move;                      // apply: in JSON
   std::string to = "rows";               // convert: the form that is written
-  std::string view;                      // curves: the viewing direction "x,y,z"; empty: chosen
   std::string close;                     // convert: "over" or "under"; empty: the rope stays open
-  std::string output;                    // draw, tie: a file or folder
-  std::string certificate;               // draw: a file for tact-check
-  std::optional<long long> outer;        // draw: the face drawn outside, from 1; none: chosen
-  bool exact = false;                    // draw: the straight-line embedding itself
+  std::string output;                    // tie: a folder
   std::string moves = "R1,R2,R3,Cross";  // tie: what may be used
   std::string hold;                // tie: "selective" or "other", the end that does not cross; empty: neither
   std::optional<long long> limit;  // tie: steps at most
@@ -91,9 +87,7 @@ ExitStatus RunKnotFaces(const KnotOptions& options);
 ExitStatus RunKnotMoves(const KnotOptions& options);
 /// What a move makes of a P-data.
 ExitStatus RunKnotApply(const KnotOptions& options);
-/// A picture of a P-data.
-ExitStatus RunKnotDraw(const KnotOptions& options);
-/// Movement primitives of a sequence of P-data or curves.
+/// Movement primitives of a sequence of P-data.
 ExitStatus RunKnotRecognize(const KnotOptions& options);
 /// A shortest sequence of movement primitives that ties a knot.
 ExitStatus RunKnotTie(const KnotOptions& options);

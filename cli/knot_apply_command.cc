@@ -8,7 +8,7 @@
 namespace tact::cli {
 
 ExitStatus RunKnotApply(const KnotOptions& options) {
-  const knot::PData a = input::ReadPlanarPData(options.inputs[0], options.view);
+  const knot::PData a = input::ReadPlanarPData(options.inputs[0]);
   const knot::Explanation explanation = input::ReadMove(options.move);
   if (const auto fault = FindMoveFault(a, explanation.move)) throw InputError("MOVE: " + *fault);
   const knot::PData moved = Apply(a, explanation.move);

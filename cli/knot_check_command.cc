@@ -84,7 +84,7 @@ std::string AsJson(const knot::PData& p, const Findings& found) {
 }  // namespace
 
 ExitStatus RunKnotCheck(const KnotOptions& options) {
-  const knot::PData p = input::ReadPData(options.inputs[0], options.view);
+  const knot::PData p = input::ReadPData(options.inputs[0]);
   const Findings found = Examine(p);
   Output output;
   output << (options.json ? AsJson(p, found) : ForPeople(p, found));

@@ -32,8 +32,7 @@ Converted Convert(const KnotOptions& options) {
   if (!options.close.empty() && options.close != "over" && options.close != "under")
     throw InputError("--close: expected over or under, got \"" + options.close + "\"");
   const bool dt = options.to == "dt", joins = dt || !options.close.empty();
-  knot::PData p = joins ? input::ReadPlanarPData(options.inputs[0], options.view)
-                        : input::ReadPData(options.inputs[0], options.view);
+  knot::PData p = joins ? input::ReadPlanarPData(options.inputs[0]) : input::ReadPData(options.inputs[0]);
   Converted converted;
   if (joins) {
     if (options.close.empty() && !knot::EndsOnOneFace(p))

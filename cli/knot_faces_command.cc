@@ -39,7 +39,7 @@ std::string AsJson(const knot::PData& p, const knot::Faces& faces) {
 }  // namespace
 
 ExitStatus RunKnotFaces(const KnotOptions& options) {
-  const knot::PData p = input::ReadPData(options.inputs[0], options.view);
+  const knot::PData p = input::ReadPData(options.inputs[0]);
   const knot::Faces faces(p);
   if (const auto handle = input::FindHandle(p)) Note(*handle);
   Output output;

@@ -31,11 +31,11 @@ void RefuseTooMany(const knot::PData& a) {
 }  // namespace
 
 ExitStatus RunKnotMoves(const KnotOptions& options) {
-  const knot::PData a = input::ReadPlanarPData(options.inputs[0], options.view);
+  const knot::PData a = input::ReadPlanarPData(options.inputs[0]);
   const bool transition = options.inputs.size() == 2;
   std::vector<knot::Explanation> moves;
   if (transition) {
-    moves = ExplainTransition(a, input::ReadPlanarPData(options.inputs[1], options.view));
+    moves = ExplainTransition(a, input::ReadPlanarPData(options.inputs[1]));
   } else {
     RefuseTooMany(a);
     for (const knot::Move& move : AllMoves(a)) moves.push_back({move});

@@ -7,10 +7,7 @@ namespace tact::cli {
 namespace {
 
 constexpr const char* kKnotHelp =
-    "P-DATA is a file, - for standard input, a name of examples/knots (overhand, figure-eight, bowline, "
-    "...), "
-    "or\n"
-    "the text itself, in any of these forms:\n"
+    "P-DATA is a file, - for standard input, or the text itself, in any of these forms:\n"
     "  4 5 6 1 2 3 / 3 4 3 4 3 4                     the thesis' three rows or the last two, on lines or "
     "between /\n"
     "  {\"sigma\":[4,5,6,1,2,3],\"attr\":[3,4,3,4,3,4]}\n"
@@ -18,7 +15,6 @@ constexpr const char* kKnotHelp =
     "  1 -2 3 -1 2 -3 +++                            the same: numbers, negative under, then the signs\n"
     "  PD[X[3,1,4,0],X[1,5,2,4],X[5,3,6,2]]          a PD code of an open rope, arcs 0..n\n"
     "  /                                             the straight rope\n"
-    "A file of three numbers a line is a curve in space, seen from above or from --view.\n"
     "Attributes: 1 over/-, 2 under/-, 3 over/+, 4 under/+; + where the upper strand passes from left to "
     "right "
     "of the\n"
@@ -43,10 +39,6 @@ class Maker {
   CLI::Option* Option(const char* name, T KnotOptions::*member, const char* what) {
     return app_.add_option(name, (*options_).*member, what);
   }
-  void Flag(const char* name, bool KnotOptions::*member, const char* what) {
-    app_.add_flag(name, (*options_).*member, what);
-  }
-  void View() { Option("--view", &KnotOptions::view, "curves: seen against this direction, x,y,z"); }
 
  private:
   std::shared_ptr<KnotOptions> options_;
@@ -56,8 +48,7 @@ class Maker {
 }  // namespace
 
 void AddKnotCommand(CLI::App& app, std::function<ExitStatus()>& run) {
-  CLI::App& knot =
-      *app.add_subcommand("knot", "Knots of a rope with two ends: P-data, faces, moves, drawings");
+  CLI::App& knot = *app.add_subcommand("knot", "Knots of a rope with two ends: P-data, faces, moves, tying");
   knot.footer(kKnotHelp);
   knot.require_subcommand(0, 1);
   knot.callback([&knot] {
@@ -76,19 +67,16 @@ void AddKnotCommand(CLI::App& app, std::function<ExitStatus()>& run) {
     make.Inputs("P-DATA", "what is converted")->expected(1);
     make.Option("--to", &KnotOptions::to, "the form")->capture_default_str();
     make.Option("--close", &KnotOptions::close, "join the ends by an arc over or under everything");
-    make.View();
   }
   {
     Maker make(knot, run, "check", "Is it P-data, does a sphere hold it, what is it made of",
                "Example: tact knot check '4 5 6 1 2 3 / 3 4 3 4 3 4'", RunKnotCheck);
     make.Inputs("P-DATA", "what is checked")->expected(1);
-    make.View();
   }
   {
     Maker make(knot, run, "faces", "The faces of a diagram", "Example: tact knot faces overhand",
                RunKnotFaces);
     make.Inputs("P-DATA", "the diagram")->expected(1);
-    make.View();
   }
   {
     Maker make(knot, run, "moves", "The moves that turn A into B, or all that A admits",
@@ -110,35 +98,23 @@ void AddKnotCommand(CLI::App& app, std::function<ExitStatus()>& run) {
   }
   {
     Maker make(
-        knot, run, "draw", "A picture of a P-data",
-        "The file's ending says which kind: .svg or .png.\nExample: tact knot draw bowline -o bowline.svg",
-        RunKnotDraw);
-    make.Inputs("P-DATA", "what is drawn")->expected(1);
-    make.Option("-o,--output", &KnotOptions::output,
-                "the picture's file; standard output gets SVG if not given");
-    make.Option("--outer", &KnotOptions::outer, "number of the face drawn outside (tact knot faces)");
-    make.Flag("--exact", &KnotOptions::exact, "the straight-line embedding itself");
-    make.Option("--certificate", &KnotOptions::certificate,
-                "a file for tact-check: the drawing reads back as the P-data");
-    make.View();
-  }
-  {
-    Maker make(knot, run, "recognize", "Movement primitives of a sequence of P-data or curves",
-               "One file with a P-data a line, or curves set apart by blank lines, or many files.\n"
-               "Example: tact knot recognize examples/knots/bowline_tied.jsonl",
-               RunKnotRecognize);
+        knot, run, "recognize", "Movement primitives of a sequence of P-data",
+        "A file with a P-data in JSON a line, or many files or texts. Where a P-data was read off from the "
+        "wrong end\n"
+        "of the rope, that is found out and said.\n"
+        "Example: tact knot recognize examples/knots/overhand_tied.jsonl",
+        RunKnotRecognize);
     make.Inputs("P-DATA", "the sequence");
-    make.View();
   }
   {
     Maker make(knot, run, "tie", "A shortest sequence of movement primitives that ties a knot",
-               "Example: tact knot tie bowline --hold selective -o bowline_steps", RunKnotTie);
+               "Example: tact knot tie '4 5 6 1 2 3 / 3 4 3 4 3 4' --hold selective -o overhand_steps",
+               RunKnotTie);
     make.Inputs("P-DATA", "the knot")->expected(1);
     make.Option("--moves", &KnotOptions::moves, "moves that may be used")->capture_default_str();
     make.Option("--hold", &KnotOptions::hold, "the end that is held and crosses nothing: selective or other");
     make.Option("--limit", &KnotOptions::limit, "steps at most");
-    make.Option("-o,--output", &KnotOptions::output, "folder for a picture of each step and an index.html");
-    make.View();
+    make.Option("-o,--output", &KnotOptions::output, "folder for index.html and steps.json");
   }
 }
 

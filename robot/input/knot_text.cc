@@ -5,10 +5,8 @@
 #include <sstream>
 
 #include "algebra/knot/faces.h"
-#include "robot/input/curve_text.h"
 #include "robot/input/gauss_text.h"
 #include "robot/input/json_stream.h"
-#include "robot/input/knot_examples.h"
 #include "robot/input/pd_text.h"
 #include "robot/input/text_token.h"
 
@@ -139,8 +137,7 @@ bool LooksLikeText(std::string_view argument) {
 
 }  // namespace
 
-knot::PData ParsePData(std::string_view text, const std::string& source, size_t first_line,
-                       const std::string& view) {
+knot::PData ParsePData(std::string_view text, const std::string& source, size_t first_line) {
   const SourceText whole{text, source, first_line};
   const size_t start = text.find_first_not_of(kBlanks);
   if (start == std::string_view::npos) whole.Fail(0, "expected P-data, got an empty text");
@@ -152,7 +149,7 @@ knot::PData ParsePData(std::string_view text, const std::string& source, size_t 
   if (rest[0] == '/' && rest.find_first_not_of(kBlanks, 1) == std::string_view::npos) return {};
   if (LooksLikePd(rest)) return ParsePd(whole);
   if (LooksLikeLetteredGauss(rest)) return ParseLetteredGauss(whole);
-  if (LooksLikeCurve(rest)) return ReadCurvePData(text, source, view);
+  if (LooksLikeCurve(rest)) whole.Fail(start, "expected P-data, got points of a curve in space");
   if (LooksLikeNumberedGauss(whole)) return ParseNumberedGauss(whole);
   return ParseRows(whole);
 }
@@ -167,17 +164,15 @@ NamedText FindKnotText(const std::string& argument) {
     if (file.stream().bad()) throw InputError(file.name() + ": expected a readable file, got an error in it");
     return {text.str(), file.name()};
   }
-  if (const auto example = KnotExample(argument)) return {std::string(*example), argument};
   if (!LooksLikeText(argument)) {
-    throw InputError(Quote(argument) +
-                     ": expected a file, a name of examples/knots or P-data, got none of them");
+    throw InputError(Quote(argument) + ": expected a file or P-data, got neither");
   }
   return {argument, "<argument>"};
 }
 
-knot::PData ReadPData(const std::string& argument, const std::string& view) {
+knot::PData ReadPData(const std::string& argument) {
   const NamedText found = FindKnotText(argument);
-  return ParsePData(found.text, found.source, 1, view);
+  return ParsePData(found.text, found.source);
 }
 
 std::optional<std::string> FindHandle(const knot::PData& p) {
@@ -188,9 +183,9 @@ std::optional<std::string> FindHandle(const knot::PData& p) {
          ": genus " + std::to_string((wanted - faces) / 2);
 }
 
-knot::PData ReadPlanarPData(const std::string& argument, const std::string& view) {
+knot::PData ReadPlanarPData(const std::string& argument) {
   const NamedText found = FindKnotText(argument);
-  const knot::PData p = ParsePData(found.text, found.source, 1, view);
+  const knot::PData p = ParsePData(found.text, found.source);
   if (const auto handle = FindHandle(p)) throw InputError(found.source + ":1:1: " + *handle);
   return p;
 }

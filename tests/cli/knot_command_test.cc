@@ -195,7 +195,7 @@ TEST(KnotCommand, RefusesWithAReason) {
   ExpectRefused({"knot", "check", "4 5 6 / 1 2 3"},
                 "<argument>:1:1: expected two columns for each intersection, got 3");
   ExpectRefused({"knot", "check", "granny"},
-                "\"granny\": expected a file, a name of examples/knots or P-data, got none of them");
+                "\"granny\": expected a file or P-data, got neither");
 }
 
 TEST(KnotCommand, ReadsFilesAndStandardInput) {
