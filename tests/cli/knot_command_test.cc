@@ -194,8 +194,7 @@ TEST(KnotCommand, RefusesWithAReason) {
                 "MOVE: expected a segment from 1 to 3, got 9");
   ExpectRefused({"knot", "check", "4 5 6 / 1 2 3"},
                 "<argument>:1:1: expected two columns for each intersection, got 3");
-  ExpectRefused({"knot", "check", "granny"},
-                "\"granny\": expected a file or P-data, got neither");
+  ExpectRefused({"knot", "check", "granny"}, "\"granny\": expected a file or P-data, got neither");
 }
 
 TEST(KnotCommand, ReadsFilesAndStandardInput) {
