@@ -79,16 +79,14 @@ TEST(KnotText, EveryFormReadsBackOnRandomRopesToFortyCrossings) {
   for (int crossings = 5; crossings <= 40; ++crossings) ExpectReadsBack(knot::RandomPData(random, crossings));
 }
 
-TEST(KnotText, AnArgumentThatIsNeitherFileNorNameNorTextSaysSo) {
+TEST(KnotText, AnArgumentThatIsNeitherFileNorTextSaysSo) {
   for (const char* argument : {"no_such_knot", "folder/none.txt", "3_1.txt", "", " "}) {
     try {
       ReadPData(argument);
       ADD_FAILURE() << "accepted " << argument;
     } catch (const InputError& error) {
       EXPECT_EQ(std::string(error.what()),
-                "\"" + std::string(argument) +
-                    "\": expected a file, a name of examples/knots or P-data, got none "
-                    "of them");
+                "\"" + std::string(argument) + "\": expected a file or P-data, got neither");
     }
   }
   EXPECT_EQ(ReadPData("2 1 / 3 4").columns(), 2);
@@ -107,6 +105,15 @@ TEST(KnotText, LinesAreCountedFromTheGivenOne) {
     EXPECT_EQ(std::string(error.what()), "text:8:3: expected a whole number, got \"x\"");
   }
   EXPECT_EQ(Refusal("  "), "text:1:1: expected P-data, got an empty text");
+}
+
+TEST(KnotText, ACurveIsNamedAsOne) {
+  try {
+    ParsePData("0 0 0\n1 0 0\n1 1 0.5\n", "rope.xyz");
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "rope.xyz:1:1: expected P-data, got points of a curve in space");
+  }
 }
 
 }  // namespace
