@@ -2,7 +2,7 @@
 
 #include "cli/json_text.h"
 #include "cli/text_pieces.h"
-#include "provers/tying_certificate.h"
+#include "robot/input/knot_move_text.h"
 
 namespace tact::cli {
 namespace {
@@ -57,7 +57,7 @@ std::string TyingToJson(const knot::Tying& tying) {
   return text + ",\"sequence\":[" +
          Join(tying.steps, ",",
               [](const knot::TyingStep& step) {
-                return "{\"move\":" + provers::MoveToJson(step.move) +
+                return "{\"move\":" + input::MoveToJson({step.move}) +
                        ",\"p_data\":" + step.reached.ToJson() + "}";
               }) +
          "]}\n";

@@ -2,52 +2,18 @@
 
 #include <nlohmann/json.hpp>
 
+#include "robot/input/knot_move_text.h"
+
 namespace tact::provers {
 namespace {
 
 using Json = nlohmann::ordered_json;
 using knot::Move;
-using knot::MoveKind;
 using knot::PData;
 
 Json Code(const PData& p) { return Json{{"sigma", p.SigmaRow()}, {"attr", p.AttrRow()}}; }
 
-Json MoveJson(const Move& move) {
-  const auto kind = [&] {
-    switch (move.kind) {
-      case MoveKind::kR1:
-        return "R1";
-      case MoveKind::kR2:
-        return "R2";
-      case MoveKind::kR3:
-        return "R3";
-      case MoveKind::kCross:
-        break;
-    }
-    return "Cross";
-  };
-  const auto direction = [&] {
-    switch (move.direction) {
-      case knot::MoveDirection::kAdd:
-        return "add";
-      case knot::MoveDirection::kRemove:
-        return "remove";
-      case knot::MoveDirection::kShift:
-        break;
-    }
-    return "shift";
-  };
-  Json json{{"kind", kind()}, {"direction", direction()}};
-  json["segments"] = Json::array();
-  for (const int s : move.segments) {
-    if (s != 0) json["segments"].push_back(s);
-  }
-  if (move.attr != 0) json["attr"] = move.attr;
-  if (move.kind == MoveKind::kR2) json["order"] = move.opposite ? "opposite" : "same";
-  if (move.kind == MoveKind::kCross)
-    json["end"] = move.end == knot::RopeEnd::kSelective ? "selective" : "other";
-  return json;
-}
+Json MoveJson(const Move& move) { return Json::parse(input::MoveToJson({move})); }
 
 Json Head(const std::string& claim, const std::string& kind) {
   return Json{{"format", "tact-certificate"}, {"version", 1}, {"claim", claim}, {"kind", kind}};
@@ -69,6 +35,19 @@ Certificate KnotMoveCertificate(const std::string& name, const std::string& clai
   json["before"] = Code(before);
   json["move"] = MoveJson(move);
   json["after"] = Code(after);
+  return {name, json.dump() + "\n"};
+}
+
+Certificate KnotTyingCertificate(const std::string& name, const std::string& claim,
+                                 const std::vector<knot::TyingStep>& steps, int at_least) {
+  Json json = Head(claim, "knot-tying");
+  json["p_data"] = Json::array({Code(PData())});
+  json["moves"] = Json::array();
+  for (const knot::TyingStep& step : steps) {
+    json["p_data"].push_back(Code(step.reached));
+    json["moves"].push_back(MoveJson(step.move));
+  }
+  if (at_least > 0) json["at_least"] = at_least;
   return {name, json.dump() + "\n"};
 }
 

@@ -1,5 +1,6 @@
 /// @file
-/// Moves of a rope, and pairs of P-data on which a rule of the thesis fails, as certificates (docs/certificates.md).
+/// Moves of a rope, knots tied step by step, and pairs of P-data on which a rule of the thesis fails, as certificates
+/// (docs/certificates.md).
 #pragma once
 
 #include <string>
@@ -7,6 +8,7 @@
 
 #include "algebra/knot/move.h"
 #include "algebra/knot/thesis_rules.h"
+#include "algebra/knot/tying.h"
 #include "provers/certificate.h"
 
 namespace tact::provers {
@@ -14,6 +16,9 @@ namespace tact::provers {
 /// One move between two P-data; needs no more than its end points to be believed.
 Certificate KnotMoveCertificate(const std::string& name, const std::string& claim, const knot::PData& before,
                                 const knot::Move& move, const knot::PData& after);
+/// A knot tied from the straight rope; at_least: so many steps are needed, by the bound of tying_bound.h; 0: not claimed.
+Certificate KnotTyingCertificate(const std::string& name, const std::string& claim,
+                                 const std::vector<knot::TyingStep>& steps, int at_least = 0);
 
 /// The rule for R_II or R_III in one reading, as JSON.
 std::string RuleText(const knot::thesis::R2Reading& reading);

@@ -41,6 +41,12 @@ KnotCode ReadKnotCode(const Value& value) {
   return code;
 }
 
+KnotCode ReadCodeOnSphere(const Value& value) {
+  KnotCode code = ReadKnotCode(value);
+  if (!OnSphere(code)) throw Refused(&value, "no sphere holds this diagram");
+  return code;
+}
+
 std::vector<int> FacesOfCorners(const KnotCode& code) {
   const int n = code.columns();
   std::vector<int> parent(4 * static_cast<std::size_t>(n));

@@ -27,6 +27,8 @@ struct KnotCode {
 
 /// Refuses what is no P-data.
 KnotCode ReadKnotCode(const Value& value);
+/// The same; refuses as well what no sphere holds.
+KnotCode ReadCodeOnSphere(const Value& value);
 /// The corners of each face: corner 4 (i - 1) + q of column i, q = 0 ahead on the left, 1 ahead on the right, 2 behind on the
 /// left, 3 behind on the right. Returns the face of each corner, faces from 0 in the order of their first corners.
 std::vector<int> FacesOfCorners(const KnotCode& code);

@@ -101,26 +101,20 @@ bool RuleAccepts(const std::string& kind, const KnotCode& before, const KnotCode
                       : RuleAcceptsR3(before, after, reading, segments);
 }
 
-KnotCode ReadOnSphere(const Value& value) {
-  KnotCode code = ReadKnotCode(value);
-  if (!OnSphere(code)) throw Refused(&value, "no sphere holds this diagram");
-  return code;
-}
-
 }  // namespace
 
 void CheckKnotMove(const Value& certificate) {
   ExpectCertificateKeys(certificate, {"before", "move", "after"});
-  const KnotCode before = ReadOnSphere(At(certificate, "before")),
-                 after = ReadOnSphere(At(certificate, "after"));
+  const KnotCode before = ReadCodeOnSphere(At(certificate, "before")),
+                 after = ReadCodeOnSphere(At(certificate, "after"));
   const Value& move = At(certificate, "move");
   ExpectMoveLeads(move, before, ReadKnotMove(move), after);
 }
 
 void CheckKnotRule(const Value& certificate) {
   ExpectCertificateKeys(certificate, {"before", "after", "rule"}, {"misses", "accepts"});
-  const KnotCode before = ReadOnSphere(At(certificate, "before")),
-                 after = ReadOnSphere(At(certificate, "after"));
+  const KnotCode before = ReadCodeOnSphere(At(certificate, "before")),
+                 after = ReadCodeOnSphere(At(certificate, "after"));
   const Value& rule = At(certificate, "rule");
   const std::string& kind = AsString(At(rule, "kind"));
   const Reading reading = ReadReading(rule, kind);

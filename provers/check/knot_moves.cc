@@ -116,37 +116,49 @@ std::vector<int> TakenColumns(const Value& where, const KnotCode& larger, const 
 }  // namespace
 
 KnotMove ReadKnotMove(const Value& value) {
-  KnotMove move;
-  move.kind = AsString(At(value, "kind"));
-  move.direction = AsString(At(value, "direction"));
-  const bool shift = move.kind == "R3";
-  if (!shift && move.kind != "R1" && move.kind != "R2" && move.kind != "Cross")
-    throw Refused(&At(value, "kind"), "expected R1, R2, R3 or Cross");
-  if (shift ? move.direction != "shift" : move.direction != "add" && move.direction != "remove")
-    throw Refused(&At(value, "direction"), "expected " + std::string(shift ? "shift" : "add or remove"));
-  if (shift) {
-    ExpectKeys(value, {"kind", "direction", "segments"});
-  } else if (move.kind == "R1") {
-    ExpectKeys(value, {"kind", "direction", "segments", "attr"});
-  } else {
-    ExpectKeys(value, {"kind", "direction", "segments", "attr", move.kind == "R2" ? "order" : "end"});
-  }
-  const Array& segments = AsArray(At(value, "segments"));
-  if (segments.size() != (shift ? 3u : move.kind == "R2" ? 2u : 1u))
-    throw Refused(&At(value, "segments"), "not as many segments as the move has");
-  for (std::size_t k = 0; k < segments.size(); ++k) {
-    move.segments[k] = static_cast<int>(AsIndex(segments[k], std::size_t{1} << 20));
-    if (move.segments[k] == 0) throw Refused(&segments[k], "segments count from 1");
-  }
-  if (!shift) move.attr = static_cast<int>(AsIndex(At(value, "attr"), 5));
+  ExpectKeys(value, {"kind", "direction", "segments", "end", "selective_end", "attr", "order"});
+  // Whether the member is the first of the words; refuses what is none of them.
   const auto choice = [&](const char* key, const char* yes, const char* no) {
     const std::string& text = AsString(At(value, key));
     if (text != yes && text != no)
       throw Refused(&At(value, key), std::string("expected ") + yes + " or " + no);
     return text == yes;
   };
-  if (move.kind == "R2") move.opposite = choice("order", "opposite", "same");
-  if (move.kind == "Cross") move.selective = choice("end", "selective", "other");
+  const auto expect_null = [&](const char* key) {
+    if (!std::holds_alternative<std::nullptr_t>(At(value, key).data))
+      throw Refused(&At(value, key), "expected null for this kind of move");
+  };
+  KnotMove move;
+  move.kind = AsString(At(value, "kind"));
+  move.direction = AsString(At(value, "direction"));
+  const bool shift = move.kind == "R3", lens = move.kind == "R2", cross = move.kind == "Cross";
+  if (!shift && !lens && !cross && move.kind != "R1")
+    throw Refused(&At(value, "kind"), "expected R1, R2, R3 or Cross");
+  if (shift ? move.direction != "shift" : move.direction != "add" && move.direction != "remove")
+    throw Refused(&At(value, "direction"), "expected " + std::string(shift ? "shift" : "add or remove"));
+  choice("selective_end", "same", "same");
+  const Array& segments = AsArray(At(value, "segments"));
+  if (segments.size() != (shift ? 3u : lens ? 2u : 1u))
+    throw Refused(&At(value, "segments"), "not as many segments as the move has");
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    move.segments[k] = static_cast<int>(AsIndex(segments[k], std::size_t{1} << 20));
+    if (move.segments[k] == 0) throw Refused(&segments[k], "segments count from 1");
+  }
+  if (shift) {
+    expect_null("attr");
+  } else {
+    move.attr = static_cast<int>(AsIndex(At(value, "attr"), 5));
+  }
+  if (lens) {
+    move.opposite = choice("order", "opposite", "same");
+  } else {
+    expect_null("order");
+  }
+  if (cross) {
+    move.selective = choice("end", "selective", "other");
+  } else {
+    expect_null("end");
+  }
   return move;
 }
 

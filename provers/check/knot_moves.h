@@ -24,8 +24,8 @@ struct KnotMove {
   bool selective = false;  // Cross
 };
 
-/// {"kind":"R2","direction":"add","segments":[1,4],"attr":1,"order":"same"}; "order" for R2 only, "end" for Cross only, no "attr"
-/// for R3.
+/// {"kind":"R2","direction":"add","segments":[1,4],"end":null,"selective_end":"same","attr":1,"order":"same"}: "end" is null but for
+/// Cross, "order" but for R2, "attr" for R3.
 KnotMove ReadKnotMove(const Value& value);
 /// Refuses, at `where`, a move that is not possible or leads elsewhere. Precondition: both codes lie on a sphere.
 void ExpectMoveLeads(const Value& where, const KnotCode& before, const KnotMove& move, const KnotCode& after);

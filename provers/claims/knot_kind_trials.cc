@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "algebra/knot/tying_bound.h"
-#include "provers/tying_certificate.h"
+#include "provers/knot_certificate.h"
 
 namespace tact::provers {
 namespace {

@@ -5,7 +5,7 @@
 #include "enumerators/move_graph.h"
 #include "provers/claims/claims.h"
 #include "provers/claims/knot_kind_trials.h"
-#include "provers/tying_certificate.h"
+#include "provers/knot_certificate.h"
 
 namespace tact::provers {
 namespace {

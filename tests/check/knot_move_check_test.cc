@@ -25,7 +25,9 @@ json Fold() {
   json c = Frame("knot-move");
   c["before"] = Code({}, {});
   c["after"] = Code({3, 4, 1, 2}, {1, 3, 2, 4});
-  c["move"] = {{"kind", "R2"}, {"direction", "add"}, {"segments", {1, 1}}, {"attr", 1}, {"order", "same"}};
+  c["move"] = {{"kind", "R2"},   {"direction", "add"},      {"segments", {1, 1}},
+               {"end", nullptr}, {"selective_end", "same"}, {"attr", 1},
+               {"order", "same"}};
   return c;
 }
 
@@ -56,7 +58,9 @@ json Shift() {
   json c = Frame("knot-move");
   c["before"] = Code({3, 6, 1, 5, 4, 2}, {1, 2, 2, 2, 1, 1});
   c["after"] = Code({5, 4, 6, 2, 1, 3}, {2, 1, 2, 2, 1, 1});
-  c["move"] = {{"kind", "R3"}, {"direction", "shift"}, {"segments", {6, 2, 4}}};
+  c["move"] = {{"kind", "R3"},    {"direction", "shift"},    {"segments", {6, 2, 4}},
+               {"end", nullptr},  {"selective_end", "same"}, {"attr", nullptr},
+               {"order", nullptr}};
   return c;
 }
 

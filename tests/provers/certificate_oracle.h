@@ -309,9 +309,8 @@ inline bool DofClassesAreRight(const json& c) {
   return true;
 }
 
-/// In path_oracle.h and tying_oracle.h.
+/// In path_oracle.h.
 inline bool PathIsRight(const json& c);
-inline bool TyingIsRight(const json& c);
 
 inline bool IsRight(const json& c) {
   if (c["version"] != 1) return false;
@@ -333,4 +332,3 @@ inline bool IsRight(const json& c) {
 }  // namespace tact::provers::oracle
 
 #include "tests/provers/path_oracle.h"
-#include "tests/provers/tying_oracle.h"

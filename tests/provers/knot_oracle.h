@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 #include "algebra/knot/faces.h"
 #include "algebra/knot/move.h"
 #include "algebra/knot/thesis_rules.h"
+#include "algebra/knot/tying_bound.h"
 
 namespace tact::provers::oracle {
 
@@ -23,21 +25,26 @@ inline std::optional<knot::PData> PlanarCode(const nlohmann::json& code) {
   return p;
 }
 
-inline knot::Move MoveOf(const nlohmann::json& written) {
+template <typename T>
+T ByName(const nlohmann::json& word, const std::map<nlohmann::json, T>& names) {
+  const auto found = names.find(word);
+  return found == names.end() ? static_cast<T>(-1) : found->second;
+}
+
+/// kind, direction and end as numbers of no move if a word is wrong.
+inline knot::Move MoveOf(const nlohmann::json& m) {
+  using enum knot::MoveKind;
+  using enum knot::MoveDirection;
+  using enum knot::RopeEnd;
   knot::Move move;
-  const std::string kind = written["kind"], direction = written["direction"];
-  move.kind = kind == "R1"   ? knot::MoveKind::kR1
-              : kind == "R2" ? knot::MoveKind::kR2
-              : kind == "R3" ? knot::MoveKind::kR3
-                             : knot::MoveKind::kCross;
-  move.direction = direction == "add"      ? knot::MoveDirection::kAdd
-                   : direction == "remove" ? knot::MoveDirection::kRemove
-                                           : knot::MoveDirection::kShift;
-  for (size_t k = 0; k < written["segments"].size(); ++k) move.segments[k] = written["segments"][k];
-  move.attr = written.value("attr", 0);
-  move.opposite = written.value("order", "same") == "opposite";
-  const std::string end = written.value("end", "");
-  if (!end.empty()) move.end = end == "selective" ? knot::RopeEnd::kSelective : knot::RopeEnd::kOther;
+  move.kind = ByName<knot::MoveKind>(m["kind"], {{"R1", kR1}, {"R2", kR2}, {"R3", kR3}, {"Cross", kCross}});
+  move.direction =
+      ByName<knot::MoveDirection>(m["direction"], {{"add", kAdd}, {"remove", kRemove}, {"shift", kShift}});
+  move.end =
+      ByName<knot::RopeEnd>(m["end"], {{nullptr, kNone}, {"selective", kSelective}, {"other", kOther}});
+  for (size_t k = 0; k < m["segments"].size(); ++k) move.segments.at(k) = m["segments"][k];
+  move.attr = m["attr"].is_null() ? 0 : m["attr"].get<int>();
+  move.opposite = m["order"] == "opposite";
   return move;
 }
 
@@ -75,6 +82,20 @@ inline bool KnotRuleIsRight(const nlohmann::json& c) {
   }
   if (!RuleAccepts(c["rule"], *before, *after, c["accepts"])) return false;
   return DetectMoves(*before, *after).empty();  // of this number of intersections no other kind would do
+}
+
+inline bool TyingIsRight(const nlohmann::json& c) {
+  std::optional<knot::PData> at = PlanarCode(c["p_data"][0]);
+  if (!at || at->columns() != 0) return false;
+  for (size_t k = 0; k < c["moves"].size(); ++k) {
+    const auto next = PlanarCode(c["p_data"][k + 1]);
+    const knot::Move move = MoveOf(c["moves"][k]);
+    if (!next || !Leads(*at, move, *next)) return false;
+    at = next;
+  }
+  if (!c.contains("at_least")) return true;
+  const long long least = c["at_least"];
+  return least >= 0 && least <= knot::TyingBound(*at, {}).steps();
 }
 
 }  // namespace tact::provers::oracle

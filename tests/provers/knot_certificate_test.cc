@@ -1,11 +1,11 @@
 // Certificates of kind "knot-tying", and what is changed in them.
-#include "provers/tying_certificate.h"
+#include "provers/knot_certificate.h"
 
 #include <gtest/gtest.h>
 
 #include "provers/check/check.h"
 #include "tests/algebra/knot/p_data_world.h"
-#include "tests/provers/tying_oracle.h"
+#include "tests/provers/knot_oracle.h"
 
 namespace tact::provers {
 namespace {
@@ -34,7 +34,7 @@ json RandomCertificate(std::mt19937_64& random, int steps, int most_crossings) {
   return json::parse(KnotTyingCertificate("t", "c", sequence, knot::TyingBound(p, {}).steps()).json);
 }
 
-TEST(TyingCertificate, SequencesOfEveryMoveAreAccepted) {
+TEST(KnotCertificate, SequencesOfEveryMoveAreAccepted) {
   std::mt19937_64 random(31);
   std::set<std::string> kinds;
   for (int trial = 0; trial < 150; ++trial) {
@@ -47,7 +47,7 @@ TEST(TyingCertificate, SequencesOfEveryMoveAreAccepted) {
   EXPECT_EQ(kinds.size(), 7u);
 }
 
-TEST(TyingCertificate, AChangedNumberIsAcceptedJustIfItIsRightAgain) {
+TEST(KnotCertificate, AChangedNumberIsAcceptedJustIfItIsRightAgain) {
   std::mt19937_64 random(32);
   int right = 0, wrong = 0;
   for (int trial = 0; trial < 10; ++trial) {
@@ -71,7 +71,7 @@ TEST(TyingCertificate, AChangedNumberIsAcceptedJustIfItIsRightAgain) {
   EXPECT_GT(wrong, 1000);
 }
 
-TEST(TyingCertificate, AChangedMoveIsAcceptedJustIfItIsRightAgain) {
+TEST(KnotCertificate, AChangedMoveIsAcceptedJustIfItIsRightAgain) {
   std::mt19937_64 random(33);
   int right = 0, wrong = 0;
   const std::map<std::string, std::vector<json>> words = {{"kind", {"R1", "R2", "R3", "Cross"}},
@@ -101,7 +101,7 @@ TEST(TyingCertificate, AChangedMoveIsAcceptedJustIfItIsRightAgain) {
   EXPECT_GT(wrong, 1000);
 }
 
-TEST(TyingCertificate, StepsLeftOutOrInAnotherOrderAreRefused) {
+TEST(KnotCertificate, StepsLeftOutOrInAnotherOrderAreRefused) {
   std::mt19937_64 random(34);
   const json original = RandomCertificate(random, 6, 7);
   json mutant = original;
