@@ -1,7 +1,0 @@
-#include "provers/claims/claims.h"
-
-namespace tact::provers {
-
-std::vector<Claim> KnotCodeClaims() { return {}; }
-
-}  // namespace tact::provers
