@@ -1,6 +1,7 @@
 #include "cli/tying_text.h"
 
 #include "cli/json_text.h"
+#include "cli/knot_print.h"
 #include "cli/text_pieces.h"
 #include "robot/input/knot_move_text.h"
 
@@ -16,14 +17,6 @@ std::string Segment(const Move& move, size_t k) { return "segment " + std::to_st
 const char* Height(const Move& move) { return move.attr % 2 == 1 ? "over" : "under"; }
 const char* End(const Move& move) {
   return move.end == RopeEnd::kSelective ? "the selective end" : "the other end";
-}
-
-std::string Rows(const knot::PData& p) {
-  if (p.columns() == 0) return "straight";
-  const auto row = [](const std::vector<int>& numbers) {
-    return Join(numbers, " ", [](int number) { return std::to_string(number); });
-  };
-  return row(p.SigmaRow()) + " / " + row(p.AttrRow());
 }
 
 std::string Steps(size_t count) { return std::to_string(count) + (count == 1 ? " step" : " steps"); }
@@ -79,7 +72,7 @@ std::string TyingToText(const knot::Tying& tying) {
     constexpr size_t kWidth = 44;
     text += (k < 9 ? " " : "") + std::to_string(k + 1) + "  " + words +
             std::string(words.size() < kWidth ? kWidth - words.size() : 1, ' ') + "  " +
-            Rows(tying.steps[k].reached) + "\n";
+            TwoRows(tying.steps[k].reached) + "\n";
   }
   return text + TyingSummary(tying) + ".\n";
 }
