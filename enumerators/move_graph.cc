@@ -5,12 +5,12 @@
 
 #include "algebra/error.h"
 #include "algebra/knot/tying_search.h"
+#include "enumerators/planar_p_data.h"
 
 namespace tact::enumerators {
 namespace {
 
 using knot::Move;
-using knot::MoveDirection;
 using knot::MoveKind;
 using knot::PData;
 using knot::RopeEnd;
@@ -62,18 +62,11 @@ MoveGraph::MoveGraph(int most_crossings) {
     throw PreconditionError("MoveGraph: expected 0 to " + std::to_string(kMostCrossings) +
                             " intersections, got " + std::to_string(most_crossings));
   }
-  store_.Insert(PData());
-  first_ = {0, 1};
-  for (int n = 0; n < most_crossings; ++n) {
-    for (uint32_t node = first_[static_cast<size_t>(n)]; node < first_[static_cast<size_t>(n) + 1]; ++node) {
-      const PData p = store_.Get(node);
-      for (const Move& move : AllMoves(p, n + 1)) {
-        if (move.end == RopeEnd::kOther && move.direction == MoveDirection::kAdd)
-          store_.Insert(ApplyFound(p, move));
-      }
-    }
+  for (int n = 0; n <= most_crossings; ++n) {
     first_.push_back(static_cast<uint32_t>(store_.size()));
+    ForEachPlanarPData(n, [&](const PData& p) { store_.Insert(p); });
   }
+  first_.push_back(static_cast<uint32_t>(store_.size()));
   starts_.reserve(store_.size() + 1);
   for (uint32_t node = 0; node < nodes(); ++node) {
     starts_.push_back(edges_.size());

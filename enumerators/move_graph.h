@@ -1,7 +1,6 @@
 /// @file
 /// The move graph: all P-data of a sphere with at most so many intersections, joined by single moves.
-/// Model   Nodes are P-data as read off from one end, numbered from 0 by intersections; those of n + 1 intersections are what Cross
-///         moves of the other end make of those of n, in their order: each has one such parent, so none comes twice. An edge
+/// Model   Nodes are P-data as read off from one end, numbered from 0 by intersections, then in the order of planar_p_data.h. An edge
 ///         is kept at its node with more intersections, an R3 at both its nodes. A way that leads over more intersections
 ///         than the bound is no way in this graph.
 /// Errors  PreconditionError: a bound beyond kMostCrossings.

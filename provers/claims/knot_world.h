@@ -1,7 +1,5 @@
 /// @file
-/// All P-data of a sphere with so many intersections, and words that the claims about moves share.
-/// Model   Removing the last column and its mate (a Cross move of the other end) leads from every P-data down to the straight
-///         rope; its inverses, one for each dart of the tip's face and each height, build each P-data once.
+/// How far the claims about moves go, their random ropes, and words that they share.
 #pragma once
 
 #include <algorithm>
@@ -10,43 +8,15 @@
 #include <utility>
 #include <vector>
 
-#include "algebra/knot/columns.h"
 #include "algebra/knot/faces.h"
 #include "algebra/knot/move.h"
+#include "enumerators/planar_p_data.h"
 #include "provers/ledger.h"
 
 namespace tact::provers {
 
-namespace knot_world_detail {
-template <typename Visit>
-void Grow(const knot::PData& p, int more, const Visit& visit) {
-  if (more == 0) return visit(p);
-  const knot::Dart tip{p.segments(), true};
-  const int n = p.columns();
-  knot::Dart d = tip;
-  do {
-    for (const bool over : {true, false}) {
-      // The tip leaves the dart's left side: the dart's own direction sees it go to the right.
-      const int attr = knot::AttributeOf(over, d.forward ? 1 : -1);
-      Grow(InsertColumns(p, {d.segment, 1},
-                         {{d.segment, n + 2, knot::MateAttribute(attr)}, {n + 2, d.segment, attr}}),
-           more - 1, visit);
-    }
-    d = NextDart(p, d);
-  } while (d != tip);
-}
-}  // namespace knot_world_detail
-
-/// Visits each planar P-data with exactly that many intersections once, in an order that does not vary.
-template <typename Visit>
-void ForEachPlanarPData(int crossings, const Visit& visit) {
-  knot_world_detail::Grow(knot::PData(), crossings, visit);
-}
-/// With up to that many.
-template <typename Visit>
-void ForEachPlanarPDataTo(int crossings, const Visit& visit) {
-  for (int n = 0; n <= crossings; ++n) ForEachPlanarPData(n, visit);
-}
+using enumerators::ForEachPlanarPData;
+using enumerators::ForEachPlanarPDataTo;
 
 /// How far the claims about moves go, in intersections: before a move that adds, after it, of an R3 and what else its rule may
 /// accept, of an R3 alone.
