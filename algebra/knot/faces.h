@@ -4,7 +4,7 @@
 ///         dart ends in, with the dart that leaves to the left; round an end of the rope it comes back along the same
 ///         segment. With c intersections there are c + 2 vertices (the ends are two) and 2c + 1 segments, so Euler's
 ///         formula gives c + 1 - 2g faces on the surface of genus g that the tracing builds: a sphere just if c + 1.
-///         This departs from the thesis' knot graph (knot_graph.h), which leaves the first and last segment out, and needs
+///         This departs from the thesis' knot graph (thesis_graphs.h), which leaves the first and last segment out, and needs
 ///         no search for faces [thesis, 5.1.3].
 /// Cost    O(n).
 #pragma once

@@ -1,0 +1,144 @@
+#include "algebra/knot/thesis_face_search.h"
+
+#include <algorithm>
+#include <bit>
+#include <functional>
+#include <set>
+
+#include "algebra/error.h"
+#include "algebra/knot/thesis_graphs.h"
+
+namespace tact::knot::thesis {
+namespace {
+
+EdgeSet Bit(int edge) { return EdgeSet{1} << (edge - 1); }
+
+// Pairs of edges that no loop may include.
+std::vector<EdgeSet> Forbidden(const PData& p, Caution caution) {
+  std::vector<EdgeSet> pairs;
+  const int n = p.columns();
+  for (int i = 2; i < n && caution != Caution::kNone; ++i) {
+    const bool four = p.sigma(i) != 1 && p.sigma(i) != n;
+    if (!four && caution != Caution::kEveryVertex) continue;
+    const int later = caution == Caution::kSegments ? i - 1 : i;
+    if (later > 1) pairs.push_back(Bit(later - 1) | Bit(later));
+  }
+  return pairs;
+}
+
+// Simple closed paths from the least vertex on; each is found in both directions and kept once.
+std::vector<EdgeSet> SimpleLoops(const Graph& graph) {
+  std::set<EdgeSet> loops;
+  std::vector<bool> on_path(static_cast<size_t>(graph.vertices));
+  const std::function<void(int, int, EdgeSet)> extend = [&](int start, int at, EdgeSet used) {
+    for (size_t e = 0; e < graph.edges.size(); ++e) {
+      const EdgeSet edge = EdgeSet{1} << e;
+      const auto [a, b] = graph.edges[e];
+      if ((used & edge) != 0 || (a != at && b != at)) continue;
+      const int to = a == at ? b : a;
+      if (to == start) loops.insert(used | edge);
+      if (to <= start || on_path[static_cast<size_t>(to)]) continue;
+      on_path[static_cast<size_t>(to)] = true;
+      extend(start, to, used | edge);
+      on_path[static_cast<size_t>(to)] = false;
+    }
+  };
+  for (int start = 0; start < graph.vertices; ++start) extend(start, start, 0);
+  return {loops.begin(), loops.end()};
+}
+
+class Search {
+ public:
+  Search(const PData& p, const FaceSearchReading& reading)
+      : order_(reading.order),
+        edges_(p.columns() - 1),
+        loops_(FindLoops(p, reading.caution)),
+        faces_(FaceSets(p)) {}
+
+  FaceSearchOutcome Run() {
+    Choose();
+    return outcome_;
+  }
+
+ private:
+  bool IsFace(EdgeSet loop) const { return std::binary_search(faces_.begin(), faces_.end(), loop); }
+
+  // What comes next, given faces_ chosen so far: every choice.
+  void Choose() {
+    std::vector<EdgeSet> state = chosen_;
+    std::sort(state.begin(), state.end());
+    if (!visited_.insert(state).second) return;
+    EdgeSet once = 0, twice = 0;
+    for (const EdgeSet face : chosen_) {
+      twice |= once & face;
+      once |= face;
+    }
+    const EdgeSet all = edges_ == 32 ? ~EdgeSet{0} : (EdgeSet{1} << edges_) - 1;
+    if (twice == all) {
+      outcome_.right = true;
+      return;
+    }
+    const EdgeSet wanted = order_ == LoopOrder::kEdgeByEdge ? ~twice & (twice + 1) : all;
+    std::vector<EdgeSet> next;
+    for (const EdgeSet loop : loops_) {
+      if ((loop & twice) != 0 || (loop & wanted) == 0) continue;
+      if (std::binary_search(state.begin(), state.end(), loop)) continue;
+      if (!next.empty() && std::popcount(loop) > std::popcount(next.front())) break;
+      next.push_back(loop);
+    }
+    if (next.empty()) Fail(true);
+    for (const EdgeSet loop : next) {
+      chosen_.push_back(loop);
+      if (IsFace(loop)) {
+        Choose();
+      } else {
+        Fail(false);
+      }
+      chosen_.pop_back();
+    }
+  }
+
+  void Fail(bool stuck) {
+    if (outcome_.wrong && !(outcome_.stuck && !stuck)) return;
+    outcome_.wrong = true;
+    outcome_.stuck = stuck;
+    outcome_.chosen = chosen_;
+  }
+
+  LoopOrder order_;
+  int edges_;
+  std::vector<EdgeSet> loops_, faces_, chosen_;
+  std::set<std::vector<EdgeSet>> visited_;
+  FaceSearchOutcome outcome_;
+};
+
+}  // namespace
+
+std::vector<EdgeSet> FindLoops(const PData& p, Caution caution) {
+  if (p.columns() > 33) {
+    throw PreconditionError("FindLoops: expected at most 32 edges, got " + std::to_string(p.columns() - 1));
+  }
+  std::vector<EdgeSet> loops = SimpleLoops(KnotGraph(p));
+  for (const EdgeSet pair : Forbidden(p, caution))
+    std::erase_if(loops, [&](EdgeSet loop) { return (loop & pair) == pair; });
+  std::stable_sort(loops.begin(), loops.end(),
+                   [](EdgeSet a, EdgeSet b) { return std::popcount(a) < std::popcount(b); });
+  return loops;
+}
+
+std::vector<EdgeSet> FaceSets(const PData& p) {
+  std::vector<EdgeSet> faces;
+  for (const EdgeWalk& walk : KnotGraphFaces(p)) {
+    EdgeSet face = 0;
+    for (const int k : walk) face |= Bit(k);
+    faces.push_back(face);
+  }
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+FaceSearchOutcome SearchFaces(const PData& p, const FaceSearchReading& reading) {
+  return Search(p, reading).Run();
+}
+
+}  // namespace tact::knot::thesis
