@@ -1,7 +1,6 @@
 #include "provers/knot_certificate.h"
 
-#include <nlohmann/json.hpp>
-
+#include "provers/knot_json.h"
 #include "robot/input/knot_move_text.h"
 
 namespace tact::provers {
@@ -11,19 +10,13 @@ using Json = nlohmann::ordered_json;
 using knot::Move;
 using knot::PData;
 
-Json Code(const PData& p) { return Json{{"sigma", p.SigmaRow()}, {"attr", p.AttrRow()}}; }
-
 Json MoveJson(const Move& move) { return Json::parse(input::MoveToJson({move})); }
 
-Json Head(const std::string& claim, const std::string& kind) {
-  return Json{{"format", "tact-certificate"}, {"version", 1}, {"claim", claim}, {"kind", kind}};
-}
-
 Json RuleHead(const std::string& claim, const std::string& rule, const PData& before, const PData& after) {
-  Json json = Head(claim, "knot-rule");
+  Json json = CertificateHead(claim, "knot-rule");
   json["rule"] = Json::parse(rule);
-  json["before"] = Code(before);
-  json["after"] = Code(after);
+  json["before"] = CodeJson(before);
+  json["after"] = CodeJson(after);
   return json;
 }
 
@@ -31,20 +24,20 @@ Json RuleHead(const std::string& claim, const std::string& rule, const PData& be
 
 Certificate KnotMoveCertificate(const std::string& name, const std::string& claim, const PData& before,
                                 const Move& move, const PData& after) {
-  Json json = Head(claim, "knot-move");
-  json["before"] = Code(before);
+  Json json = CertificateHead(claim, "knot-move");
+  json["before"] = CodeJson(before);
   json["move"] = MoveJson(move);
-  json["after"] = Code(after);
+  json["after"] = CodeJson(after);
   return {name, json.dump() + "\n"};
 }
 
 Certificate KnotTyingCertificate(const std::string& name, const std::string& claim,
                                  const std::vector<knot::TyingStep>& steps, int at_least) {
-  Json json = Head(claim, "knot-tying");
-  json["p_data"] = Json::array({Code(PData())});
+  Json json = CertificateHead(claim, "knot-tying");
+  json["p_data"] = Json::array({CodeJson(PData())});
   json["moves"] = Json::array();
   for (const knot::TyingStep& step : steps) {
-    json["p_data"].push_back(Code(step.reached));
+    json["p_data"].push_back(CodeJson(step.reached));
     json["moves"].push_back(MoveJson(step.move));
   }
   if (at_least > 0) json["at_least"] = at_least;

@@ -13,19 +13,6 @@ namespace {
 
 EdgeSet Bit(int edge) { return EdgeSet{1} << (edge - 1); }
 
-// Pairs of edges that no loop may include.
-std::vector<EdgeSet> Forbidden(const PData& p, Caution caution) {
-  std::vector<EdgeSet> pairs;
-  const int n = p.columns();
-  for (int i = 2; i < n && caution != Caution::kNone; ++i) {
-    const bool four = p.sigma(i) != 1 && p.sigma(i) != n;
-    if (!four && caution != Caution::kEveryVertex) continue;
-    const int later = caution == Caution::kSegments ? i - 1 : i;
-    if (later > 1) pairs.push_back(Bit(later - 1) | Bit(later));
-  }
-  return pairs;
-}
-
 // Simple closed paths from the least vertex on; each is found in both directions and kept once.
 std::vector<EdgeSet> SimpleLoops(const Graph& graph) {
   std::set<EdgeSet> loops;
@@ -114,13 +101,23 @@ class Search {
 
 }  // namespace
 
+bool Allows(const PData& p, Caution caution, EdgeSet loop) {
+  const int n = p.columns();
+  for (int i = 2; i < n && caution != Caution::kNone; ++i) {
+    const bool four_edges = p.sigma(i) != 1 && p.sigma(i) != n;
+    if (!four_edges && caution != Caution::kEveryVertex) continue;
+    const int later = caution == Caution::kSegments ? i - 1 : i;
+    if (later > 1 && (loop & Bit(later - 1)) != 0 && (loop & Bit(later)) != 0) return false;
+  }
+  return true;
+}
+
 std::vector<EdgeSet> FindLoops(const PData& p, Caution caution) {
   if (p.columns() > 33) {
     throw PreconditionError("FindLoops: expected at most 32 edges, got " + std::to_string(p.columns() - 1));
   }
   std::vector<EdgeSet> loops = SimpleLoops(KnotGraph(p));
-  for (const EdgeSet pair : Forbidden(p, caution))
-    std::erase_if(loops, [&](EdgeSet loop) { return (loop & pair) == pair; });
+  std::erase_if(loops, [&](EdgeSet loop) { return !Allows(p, caution, loop); });
   std::stable_sort(loops.begin(), loops.end(),
                    [](EdgeSet a, EdgeSet b) { return std::popcount(a) < std::popcount(b); });
   return loops;

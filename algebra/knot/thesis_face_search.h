@@ -33,6 +33,8 @@ struct FaceSearchReading {
   LoopOrder order = LoopOrder::kShortestFirst;
 };
 
+/// Whether the caution allows the loop to be a face.
+bool Allows(const PData& p, Caution caution, EdgeSet loop);
 /// The loops that the caution allows, shortest first, then by number.
 std::vector<EdgeSet> FindLoops(const PData& p, Caution caution);
 

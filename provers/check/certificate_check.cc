@@ -9,7 +9,7 @@
 namespace tact::check {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, void (*)(const Value&)>, 9> kKinds = {{
+constexpr std::array<std::pair<std::string_view, void (*)(const Value&)>, 13> kKinds = {{
     {"motion-dofs", CheckMotionDofs},
     {"transitions", CheckTransitions},
     {"basis", CheckBasis},
@@ -19,6 +19,10 @@ constexpr std::array<std::pair<std::string_view, void (*)(const Value&)>, 9> kKi
     {"knot-move", CheckKnotMove},
     {"knot-rule", CheckKnotRule},
     {"knot-tying", CheckKnotTying},
+    {"knot-embedding", CheckKnotEmbedding},
+    {"knot-face-search", CheckKnotFaceSearch},
+    {"knot-parts", CheckKnotParts},
+    {"knot-subdivision", CheckKnotSubdivision},
 }};
 constexpr std::array<std::string_view, 6> kCommonKeys = {"format", "version",   "claim",
                                                          "kind",   "statement", "note"};

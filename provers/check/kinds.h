@@ -35,5 +35,13 @@ void CheckKnotMove(const Value& certificate);
 /// A pair of codes on which a rule of the thesis misses a move or accepts where there is none.
 void CheckKnotRule(const Value& certificate);
 void CheckKnotTying(const Value& certificate);
+/// A second drawing of a knot graph on a sphere.
+void CheckKnotEmbedding(const Value& certificate);
+/// P-data on which the thesis' search for faces goes wrong.
+void CheckKnotFaceSearch(const Value& certificate);
+/// P-data of no sphere whose irreducible parts are of one each.
+void CheckKnotParts(const Value& certificate);
+/// A barycentric subdivision that is not three-connected.
+void CheckKnotSubdivision(const Value& certificate);
 
 }  // namespace tact::check

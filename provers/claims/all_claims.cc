@@ -6,7 +6,8 @@ std::vector<Claim> AllClaims() {
   std::vector<Claim> all;
   for (auto part : {DisplacementClaims(), PropositionClaims(), MotionDofClaims(), DofClassClaims(),
                     DofTransitionClaims(), SubSkillRuleClaims(), TransitionFrequencyClaims(),
-                    SingularClaims(), PegInsertionClaims(), KnotMoveClaims(), KnotTyingClaims()}) {
+                    SingularClaims(), PegInsertionClaims(), KnotProjectionClaims(), KnotMoveClaims(),
+                    KnotTyingClaims()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;

@@ -1,0 +1,48 @@
+// `knot-parts`: P-data that no sphere holds though each of its irreducible parts is one of a sphere [thesis, 5.1.3].
+#include <algorithm>
+
+#include "provers/check/kinds.h"
+#include "provers/check/knot_graph.h"
+
+namespace tact::check {
+namespace {
+
+// The columns alone, numbered from 1; refuses those whose mates are not among them.
+KnotCode Restrict(const KnotCode& code, const std::vector<int>& columns, const Value& where) {
+  KnotCode part;
+  for (const int i : columns) {
+    const auto mate = std::lower_bound(columns.begin(), columns.end(), code.mate(i));
+    if (mate == columns.end() || *mate != code.mate(i)) throw Refused(&where, "a column's mate is missing");
+    part.sigma.push_back(static_cast<int>(mate - columns.begin()) + 1);
+    part.attr.push_back(code.attribute(i));
+  }
+  return part;
+}
+
+}  // namespace
+
+void CheckKnotParts(const Value& certificate) {
+  ExpectCertificateKeys(certificate, {"p_data", "parts"});
+  const Value& text = At(certificate, "p_data");
+  const KnotCode code = ReadKnotCode(text);
+  if (code.columns() > kMostGraphColumns) throw Refused(&text, "more columns than this checker tries");
+  if (OnSphere(code)) throw Refused(&text, "a sphere holds this diagram");
+  std::vector<bool> used(static_cast<std::size_t>(code.columns()) + 1);
+  for (const Value& value : AsArray(At(certificate, "parts"))) {
+    std::vector<int> columns;
+    for (const Value& number : AsArray(value)) {
+      const int i = static_cast<int>(AsIndex(number, used.size()));
+      if (i == 0 || used[static_cast<std::size_t>(i)] || (!columns.empty() && i < columns.back()))
+        throw Refused(&number, "columns count from 1, ascend in a part and are in one part each");
+      used[static_cast<std::size_t>(i)] = true;
+      columns.push_back(i);
+    }
+    const KnotCode part = Restrict(code, columns, value);
+    if (columns.empty() || !IsIrreducible(part)) throw Refused(&value, "this part is empty or reducible");
+    if (!OnSphere(part)) throw Refused(&value, "no sphere holds this part");
+  }
+  if (std::count(used.begin() + 1, used.end(), false) > 0)
+    throw Refused(&At(certificate, "parts"), "a column is in no part");
+}
+
+}  // namespace tact::check
