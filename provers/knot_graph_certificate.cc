@@ -66,9 +66,10 @@ Certificate KnotPartsCertificate(const std::string& name, const std::string& cla
 Certificate KnotSubdivisionCertificate(const std::string& name, const std::string& claim, const PData& p,
                                        int external, const std::vector<int>& without) {
   Json json = Begin(claim, "knot-subdivision", p);
-  knot::EdgeWalk edges = KnotGraphFaces(p)[static_cast<size_t>(external)];
-  std::sort(edges.begin(), edges.end());
-  json["external"] = edges;
+  std::vector<knot::EdgeWalk> faces = KnotGraphFaces(p);
+  for (knot::EdgeWalk& face : faces) std::sort(face.begin(), face.end());
+  std::rotate(faces.begin(), faces.begin() + external, faces.begin() + external + 1);
+  json["faces"] = faces;
   json["without"] = without;
   return {name, json.dump() + "\n"};
 }

@@ -1,5 +1,6 @@
 // `knot-parts`: P-data that no sphere holds though each of its irreducible parts is one of a sphere [thesis, 5.1.3].
 #include <algorithm>
+#include <string>
 
 #include "provers/check/kinds.h"
 #include "provers/check/knot_graph.h"
@@ -27,22 +28,34 @@ void CheckKnotParts(const Value& certificate) {
   const KnotCode code = ReadKnotCode(text);
   if (code.columns() > kMostGraphColumns) throw Refused(&text, "more columns than this checker tries");
   if (OnSphere(code)) throw Refused(&text, "a sphere holds this diagram");
-  std::vector<bool> used(static_cast<std::size_t>(code.columns()) + 1);
-  for (const Value& value : AsArray(At(certificate, "parts"))) {
+  const Value& parts = At(certificate, "parts");
+  // The part of each column, from 1.
+  std::vector<int> part_of(static_cast<std::size_t>(code.columns()) + 1, 0);
+  int count = 0;
+  for (const Value& value : AsArray(parts)) {
+    ++count;
     std::vector<int> columns;
     for (const Value& number : AsArray(value)) {
-      const int i = static_cast<int>(AsIndex(number, used.size()));
-      if (i == 0 || used[static_cast<std::size_t>(i)] || (!columns.empty() && i < columns.back()))
+      const int i = static_cast<int>(AsIndex(number, part_of.size()));
+      if (i == 0 || part_of[static_cast<std::size_t>(i)] != 0 || (!columns.empty() && i < columns.back()))
         throw Refused(&number, "columns count from 1, ascend in a part and are in one part each");
-      used[static_cast<std::size_t>(i)] = true;
+      part_of[static_cast<std::size_t>(i)] = count;
       columns.push_back(i);
     }
     const KnotCode part = Restrict(code, columns, value);
     if (columns.empty() || !IsIrreducible(part)) throw Refused(&value, "this part is empty or reducible");
     if (!OnSphere(part)) throw Refused(&value, "no sphere holds this part");
   }
-  if (std::count(used.begin() + 1, used.end(), false) > 0)
-    throw Refused(&At(certificate, "parts"), "a column is in no part");
+  if (std::count(part_of.begin() + 1, part_of.end(), 0) > 0) throw Refused(&parts, "a column is in no part");
+  for (int i = 1; i <= code.columns(); ++i) {
+    for (int a = i + 1; a < code.mate(i); ++a) {
+      if (code.mate(a) < code.mate(i) ||
+          part_of[static_cast<std::size_t>(i)] == part_of[static_cast<std::size_t>(a)])
+        continue;
+      throw Refused(&parts, "columns " + std::to_string(i) + " and " + std::to_string(a) +
+                                " alternate with their mates and are in different parts");
+    }
+  }
 }
 
 }  // namespace tact::check

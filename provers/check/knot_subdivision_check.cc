@@ -8,17 +8,18 @@
 namespace tact::check {
 
 void CheckKnotSubdivision(const Value& certificate) {
-  ExpectCertificateKeys(certificate, {"p_data", "external", "without"});
-  const Value &text = At(certificate, "p_data"), &outside = At(certificate, "external");
+  ExpectCertificateKeys(certificate, {"p_data", "faces", "without"});
+  const Value &text = At(certificate, "p_data"), &listed = At(certificate, "faces");
   const KnotCode code = ReadCodeOnSphere(text);
   if (code.columns() == 0 || code.columns() > kMostGraphColumns)
     throw Refused(&text, "no intersection, or more columns than this checker tries");
   const KnotGraph graph = GraphOf(code);
   const int intersections = graph.vertices, middles = static_cast<int>(graph.edges.size());
-  std::vector<std::vector<int>> faces = FaceEdges(code);
-  const auto external = std::find(faces.begin(), faces.end(), ReadEdges(outside, code));
-  if (external == faces.end()) throw Refused(&outside, "no face has these edges");
-  faces.erase(external);
+  std::vector<std::vector<int>> faces, own = FaceEdges(code);
+  for (const Value& face : AsArray(listed)) faces.push_back(ReadEdges(face, code));
+  if (!std::is_permutation(faces.begin(), faces.end(), own.begin(), own.end()))
+    throw Refused(&listed, "these are not the faces");
+  faces.erase(faces.begin());  // the external one
   // Intersections, then the middles of the edges, then the faces.
   int vertices = intersections + middles;
   std::vector<std::pair<int, int>> edges;

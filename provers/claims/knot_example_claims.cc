@@ -106,6 +106,7 @@ Outcome TryExternalFaces(Effort effort) {
     table.rows.push_back(Row({n, p_data, projections}));
   }
   outcome.tables = {table};
+  outcome.bound = "complete; counted for " + AllPData(bound);
   return outcome;
 }
 

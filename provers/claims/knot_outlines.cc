@@ -75,7 +75,9 @@ std::vector<PData> RandomIrreducibleOutlines(Effort effort) {
 }
 
 OutlineTrial TryIrreducible(Effort effort, int least, const std::function<bool(const PData&)>& holds) {
-  OutlineTrial trial{least, OutlineBound(effort)};
+  OutlineTrial trial;
+  trial.least = least;
+  trial.bound = OutlineBound(effort);
   const auto look = [&](const PData& p) {
     if (holds(p)) return;
     ++trial.failures;
