@@ -2,12 +2,14 @@
 /// Finite worlds and random P-data for tests, by the slow obvious ways.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <random>
 #include <vector>
 
 #include "algebra/knot/faces.h"
 #include "algebra/knot/move.h"
+#include "algebra/knot/reducible.h"
 
 namespace tact::knot {
 
@@ -55,6 +57,13 @@ inline PData RandomPData(std::mt19937_64& random, int crossings) {
     p = Apply(p, additions[random() % additions.size()]);
   }
   return p;
+}
+
+/// The largest irreducible part of a rope of so many crossings.
+inline PData RandomIrreduciblePData(std::mt19937_64& random, int crossings) {
+  PData largest;
+  for (const Part& part : Split(RandomPData(random, crossings))) largest = std::max(largest, part.p);
+  return largest;
 }
 
 }  // namespace tact::knot

@@ -1,6 +1,7 @@
 #include "algebra/knot/thesis_face_search.h"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <algorithm>
 #include <bit>
@@ -76,6 +77,14 @@ TEST(ThesisFaceSearch, WhatItChoosesWronglyIsAllowedAndNoFace) {
       EXPECT_EQ(std::count(faces.begin(), faces.end(), loop), loop == outcome.chosen.back() ? 0 : 1);
     }
   }
+}
+
+// The caution is right beyond the bound of the ledger, too: no face of irreducible P-data is forbidden.
+RC_GTEST_PROP(ThesisFaceSearch, TheCautionForbidsNoFace, (uint64_t seed)) {
+  std::mt19937_64 random(seed);
+  const PData p = RandomIrreduciblePData(random, *rc::gen::inRange(12, 17));
+  RC_PRE(p.crossings() > 1);
+  for (const EdgeSet face : FaceSets(p)) RC_ASSERT(Allows(p, Caution::kEdges, face));
 }
 
 TEST(ThesisFaceSearch, MoreEdgesThanASetHoldsAreRefused) {

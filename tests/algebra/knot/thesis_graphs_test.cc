@@ -1,6 +1,7 @@
 #include "algebra/knot/thesis_graphs.h"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <algorithm>
 
@@ -55,6 +56,31 @@ TEST(ThesisGraphs, EachEdgeIsTwiceOnFacesAndEulersFormulaHolds) {
                 2 - 2 * Genus(p));
       EXPECT_EQ(CountComponents(graph), 1);
     });
+  }
+}
+
+// Propositions 7 and 8 of the thesis, beyond the bound of the ledger. Random external faces: 20 intersections have 3000 pairs
+// of vertices for each.
+RC_GTEST_PROP(ThesisGraphsLaw, IrreducibleKnotGraphsHaveConnectedDualsAndThreeConnectedSubdivisions,
+              (uint64_t seed)) {
+  std::mt19937_64 random(seed);
+  const PData p = RandomIrreduciblePData(random, *rc::gen::inRange(14, 30));
+  RC_PRE(p.crossings() > 1);
+  RC_CLASSIFY(p.crossings() > 7, "beyond the bound");
+  for (int external = 0; external <= p.crossings(); ++external)
+    RC_ASSERT(CountComponents(DualGraph(p, external)) == 1);
+  const int external = static_cast<int>(random() % static_cast<uint64_t>(p.crossings() + 1));
+  RC_ASSERT(IsConnected(BarycentricSubdivision(p, external), 3));
+}
+
+// An edge that the same face has on both sides, a vertex that parts the graph: reducible P-data only.
+RC_GTEST_PROP(ThesisGraphsLaw, NoEdgeIsTwiceOnAFaceOfAnIrreducibleKnotGraph, (uint64_t seed)) {
+  std::mt19937_64 random(seed);
+  const PData p = RandomIrreduciblePData(random, *rc::gen::inRange(14, 30));
+  RC_ASSERT(p.crossings() < 2 || IsConnected(KnotGraph(p), p.crossings() > 2 ? 2 : 1));
+  for (EdgeWalk walk : KnotGraphFaces(p)) {
+    std::sort(walk.begin(), walk.end());
+    RC_ASSERT(std::adjacent_find(walk.begin(), walk.end()) == walk.end());
   }
 }
 

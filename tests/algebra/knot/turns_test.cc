@@ -1,6 +1,7 @@
 #include "algebra/knot/turns.h"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <set>
 
@@ -60,6 +61,20 @@ TEST(Turns, OfRandomRopesToFortyIntersectionsFollowTheLawAndAreFound) {
       EXPECT_EQ(WithPlanarTurns(part.p), expected) << part.p.ToJson();
     }
   }
+}
+
+// Each part's turns are open, and nothing else: mirrored parts stay of a sphere, a single other turn does not.
+RC_GTEST_PROP(Turns, OneTurnChangedInAPartOfSeveralIntersectionsLeavesTheSphere, (uint64_t seed)) {
+  std::mt19937_64 random(seed);
+  const PData p = RandomIrreduciblePData(random, *rc::gen::inRange(14, 40));
+  RC_PRE(p.crossings() > 1);
+  const int changed = 1 + static_cast<int>(random() % static_cast<uint64_t>(p.columns()));
+  PDataBuilder other(p.columns());
+  for (int i = 1; i <= p.columns(); ++i) {
+    const bool turned = i == changed || p.sigma(i) == changed;
+    other.Add(p.sigma(i), AttributeOf(p.over(i), turned ? -p.turn(i) : p.turn(i)));
+  }
+  RC_ASSERT(!IsPlanar(other.Take()));
 }
 
 }  // namespace
