@@ -41,7 +41,7 @@ Certificate KnotFaceSearchCertificate(const std::string& name, const std::string
                                       const knot::thesis::FaceSearchReading& reading,
                                       const knot::thesis::FaceSearchOutcome& outcome) {
   constexpr std::array kCautions = {"none", "edges", "segments", "every-vertex"};
-  constexpr std::array kOrders = {"shortest-first", "edge-by-edge"};
+  constexpr std::array kOrders = {"shortest-first", "edge-by-edge", "corner-by-corner"};
   Json json = Begin(claim, "knot-face-search", p);
   json["rule"] = {{"caution", kCautions[static_cast<size_t>(reading.caution)]},
                   {"order", kOrders[static_cast<size_t>(reading.order)]}};

@@ -34,13 +34,33 @@ std::vector<EdgeSet> SimpleLoops(const Graph& graph) {
   return {loops.begin(), loops.end()};
 }
 
+// Two edges of one vertex that the caution allows together, by vertices, then by edges.
+std::vector<EdgeSet> Corners(const PData& p, Caution caution) {
+  const Graph graph = KnotGraph(p);
+  std::vector<EdgeSet> corners;
+  for (int v = 0; v < graph.vertices; ++v) {
+    std::vector<EdgeSet> edges;
+    for (size_t e = 0; e < graph.edges.size(); ++e) {
+      if (graph.edges[e].first == v || graph.edges[e].second == v) edges.push_back(EdgeSet{1} << e);
+    }
+    for (size_t a = 0; a < edges.size(); ++a) {
+      for (size_t b = a + 1; b < edges.size(); ++b) {
+        if (Allows(p, caution, edges[a] | edges[b])) corners.push_back(edges[a] | edges[b]);
+      }
+    }
+  }
+  return corners;
+}
+
 class Search {
  public:
   Search(const PData& p, const FaceSearchReading& reading)
       : order_(reading.order),
         edges_(p.columns() - 1),
         loops_(FindLoops(p, reading.caution)),
-        faces_(FaceSets(p)) {}
+        faces_(FaceSets(p)) {
+    if (order_ == LoopOrder::kCornerByCorner) corners_ = Corners(p, reading.caution);
+  }
 
   FaceSearchOutcome Run() {
     Choose();
@@ -65,10 +85,10 @@ class Search {
       outcome_.right = true;
       return;
     }
-    const EdgeSet wanted = order_ == LoopOrder::kEdgeByEdge ? ~twice & (twice + 1) : all;
+    const EdgeSet wanted = Wanted(twice);
     std::vector<EdgeSet> next;
     for (const EdgeSet loop : loops_) {
-      if ((loop & twice) != 0 || (loop & wanted) == 0) continue;
+      if ((loop & twice) != 0 || (loop & wanted) != wanted) continue;
       if (std::binary_search(state.begin(), state.end(), loop)) continue;
       if (!next.empty() && std::popcount(loop) > std::popcount(next.front())) break;
       next.push_back(loop);
@@ -85,6 +105,16 @@ class Search {
     }
   }
 
+  // What the next loop has to include.
+  EdgeSet Wanted(EdgeSet twice) const {
+    if (order_ == LoopOrder::kEdgeByEdge) return ~twice & (twice + 1);
+    for (const EdgeSet corner : corners_) {
+      const auto has = [&](EdgeSet face) { return (face & corner) == corner; };
+      if (std::none_of(chosen_.begin(), chosen_.end(), has)) return corner;
+    }
+    return 0;
+  }
+
   void Fail(bool stuck) {
     if (outcome_.wrong && !(outcome_.stuck && !stuck)) return;
     outcome_.wrong = true;
@@ -94,7 +124,7 @@ class Search {
 
   LoopOrder order_;
   int edges_;
-  std::vector<EdgeSet> loops_, faces_, chosen_;
+  std::vector<EdgeSet> loops_, faces_, corners_, chosen_;
   std::set<std::vector<EdgeSet>> visited_;
   FaceSearchOutcome outcome_;
 };

@@ -27,6 +27,7 @@ enum class Caution {
 enum class LoopOrder {
   kShortestFirst,  // of all loops still allowed
   kEdgeByEdge,     // of those through the first edge that is not in two faces yet
+  kCornerByCorner  // of those through the first two edges of a vertex, allowed together, that are in no face together yet
 };
 struct FaceSearchReading {
   Caution caution = Caution::kEdges;

@@ -13,24 +13,26 @@ constexpr int kMostColumns = 18;
 using Loop = std::vector<int>;  // edges, ascending
 
 struct Rule {
-  std::string caution;
-  bool edge_by_edge = false;
+  std::string caution, order;
 };
 
 Rule ReadRule(const Value& value) {
   ExpectKeys(value, {"caution", "order"});
   Rule rule;
   rule.caution = AsString(At(value, "caution"));
-  const std::string& order = AsString(At(value, "order"));
-  rule.edge_by_edge = order == "edge-by-edge";
-  const std::set<std::string> cautions = {"none", "edges", "segments", "every-vertex"};
+  rule.order = AsString(At(value, "order"));
+  const std::set<std::string> cautions = {"none", "edges", "segments", "every-vertex"},
+                              orders = {"shortest-first", "edge-by-edge", "corner-by-corner"};
   if (!cautions.contains(rule.caution)) throw Refused(&At(value, "caution"), "no reading has this name");
-  if (!rule.edge_by_edge && order != "shortest-first")
-    throw Refused(&At(value, "order"), "no reading has this name");
+  if (!orders.contains(rule.order)) throw Refused(&At(value, "order"), "no reading has this name");
   return rule;
 }
 
 bool Has(const Loop& loop, int edge) { return std::binary_search(loop.begin(), loop.end(), edge); }
+
+bool Includes(const Loop& loop, const Loop& part) {
+  return std::includes(loop.begin(), loop.end(), part.begin(), part.end());
+}
 
 bool IsAllowed(const KnotCode& code, const Rule& rule, const Loop& loop) {
   for (int i = 2; i < code.columns() && rule.caution != "none"; ++i) {
@@ -65,10 +67,31 @@ std::vector<Loop> AllLoops(const KnotCode& code, const Rule& rule) {
   return loops;
 }
 
+// Each two edges of a vertex that the caution allows together, by vertices, then by edges.
+std::vector<Loop> AllCorners(const KnotCode& code, const Rule& rule) {
+  const KnotGraph graph = GraphOf(code);
+  const auto at = [&](int edge, int v) {
+    const auto& [a, b] = graph.edges[static_cast<std::size_t>(edge) - 1];
+    return a == v || b == v;
+  };
+  std::vector<Loop> corners;
+  for (int v = 0; v < graph.vertices; ++v) {
+    for (int a = 1; a < code.columns(); ++a) {
+      for (int b = a + 1; b < code.columns(); ++b) {
+        if (at(a, v) && at(b, v) && IsAllowed(code, rule, {a, b})) corners.push_back({a, b});
+      }
+    }
+  }
+  return corners;
+}
+
 class Search {
  public:
   Search(const KnotCode& code, const Rule& rule)
-      : edges_(code.columns() - 1), rule_(rule), loops_(AllLoops(code, rule)) {
+      : edges_(code.columns() - 1),
+        rule_(rule),
+        loops_(AllLoops(code, rule)),
+        corners_(AllCorners(code, rule)) {
     for (const Loop& face : FaceEdges(code)) faces_.insert(face);
     Choose({});
   }
@@ -88,9 +111,20 @@ class Search {
       right_ = true;
       return;
     }
+    Loop wanted;  // edges that the next loop includes
+    if (rule_.order == "edge-by-edge") wanted = {first};
+    if (rule_.order == "corner-by-corner") {
+      for (const Loop& corner : corners_) {
+        if (std::any_of(chosen.begin(), chosen.end(),
+                        [&](const Loop& loop) { return Includes(loop, corner); }))
+          continue;
+        wanted = corner;
+        break;
+      }
+    }
     std::vector<Loop> next;
     for (const Loop& loop : loops_) {
-      if (chosen.contains(loop) || (rule_.edge_by_edge && !Has(loop, first))) continue;
+      if (chosen.contains(loop) || !Includes(loop, wanted)) continue;
       if (std::any_of(loop.begin(), loop.end(), [&](int edge) { return uses(edge) == 2; })) continue;
       if (!next.empty() && loop.size() > next.front().size()) continue;
       if (!next.empty() && loop.size() < next.front().size()) next.clear();
@@ -110,7 +144,7 @@ class Search {
 
   int edges_;
   Rule rule_;
-  std::vector<Loop> loops_;
+  std::vector<Loop> loops_, corners_;
   std::set<Loop> faces_, wrong_;
   std::set<std::set<Loop>> visited_;
   bool right_ = false;

@@ -25,10 +25,27 @@ using knot::NamelessCode;
 using knot::PData;
 using knot::thesis::Caution;
 using knot::thesis::EdgeSet;
-using knot::thesis::FaceSets;
 using knot::thesis::FaceSearchReading;
+using knot::thesis::FaceSets;
 using knot::thesis::LoopOrder;
 using nlohmann::json;
+
+// By vertices, then by edges, the first two edges that the caution allows together and no chosen loop has; 0: none.
+EdgeSet FirstOpenCorner(const PData& p, Caution caution, const std::set<EdgeSet>& chosen) {
+  const knot::Graph graph = KnotGraph(p);
+  for (int v = 0; v < graph.vertices; ++v) {
+    for (size_t a = 0; a < graph.edges.size(); ++a) {
+      for (size_t b = a + 1; b < graph.edges.size(); ++b) {
+        const auto at = [&](size_t e) { return graph.edges[e].first == v || graph.edges[e].second == v; };
+        const EdgeSet corner = EdgeSet{1} << a | EdgeSet{1} << b;
+        if (!at(a) || !at(b) || !Allows(p, caution, corner)) continue;
+        if (std::none_of(chosen.begin(), chosen.end(), [&](EdgeSet x) { return (x & corner) == corner; }))
+          return corner;
+      }
+    }
+  }
+  return 0;
+}
 
 // Every loop that the rule may choose after faces only, and no face; 0: nothing to choose.
 std::set<EdgeSet> WrongChoices(const PData& p, const FaceSearchReading& reading) {
@@ -40,11 +57,12 @@ std::set<EdgeSet> WrongChoices(const PData& p, const FaceSearchReading& reading)
     EdgeSet once = 0, twice = 0;
     for (const EdgeSet face : chosen) twice |= once & face, once |= face;
     if (std::popcount(twice) == p.columns() - 1) return;
+    EdgeSet wanted = 0;
+    if (reading.order == LoopOrder::kEdgeByEdge) wanted = ~twice & (twice + 1);
+    if (reading.order == LoopOrder::kCornerByCorner) wanted = FirstOpenCorner(p, reading.caution, chosen);
     int shortest = 0;
     for (const EdgeSet loop : loops) {
-      const EdgeSet first = ~twice & (twice + 1);
-      if ((loop & twice) != 0 || chosen.contains(loop)) continue;
-      if (reading.order == LoopOrder::kEdgeByEdge && (loop & first) == 0) continue;
+      if ((loop & twice) != 0 || chosen.contains(loop) || (loop & wanted) != wanted) continue;
       if (shortest != 0 && std::popcount(loop) > shortest) break;
       shortest = std::popcount(loop);
       std::set<EdgeSet> more = chosen;
@@ -90,9 +108,9 @@ bool FaceSearchIsRight(const json& c, const PData& p) {
   const std::vector<std::string> cautions = {"none", "edges", "segments", "every-vertex"};
   const auto caution = std::find(cautions.begin(), cautions.end(), c["rule"]["caution"]) - cautions.begin();
   if (caution == 4) return false;
-  const FaceSearchReading reading{static_cast<Caution>(caution), c["rule"]["order"] == "edge-by-edge"
-                                                                     ? LoopOrder::kEdgeByEdge
-                                                                     : LoopOrder::kShortestFirst};
+  const std::vector<std::string> orders = {"shortest-first", "edge-by-edge", "corner-by-corner"};
+  const auto order = std::find(orders.begin(), orders.end(), c["rule"]["order"]) - orders.begin();
+  const FaceSearchReading reading{static_cast<Caution>(caution), static_cast<LoopOrder>(order)};
   const auto chosen = SetOf(c["chooses"], p.columns() - 1);
   return chosen && WrongChoices(p, reading).contains(*chosen) &&
          c["always"] == !SearchFaces(p, reading).right;
@@ -170,7 +188,8 @@ TEST(KnotGraphCertificate, EveryFailingSearchIsAcceptedAndItsChangesAreJudged) {
     for (const PData& p : IrreducibleOutlines(n)) {
       for (const Caution caution :
            {Caution::kNone, Caution::kEdges, Caution::kSegments, Caution::kEveryVertex}) {
-        for (const LoopOrder order : {LoopOrder::kShortestFirst, LoopOrder::kEdgeByEdge}) {
+        for (const LoopOrder order :
+             {LoopOrder::kShortestFirst, LoopOrder::kEdgeByEdge, LoopOrder::kCornerByCorner}) {
           const FaceSearchReading reading{caution, order};
           const auto outcome = SearchFaces(p, reading);
           if (!outcome.wrong) continue;

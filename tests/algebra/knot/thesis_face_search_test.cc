@@ -66,9 +66,12 @@ TEST(ThesisFaceSearch, LoopsAreTheEdgeSetsThatAreSimpleClosedPaths) {
 }
 
 TEST(ThesisFaceSearch, WhatItChoosesWronglyIsAllowedAndNoFace) {
-  const PData p({4, 7, 8, 1, 10, 9, 2, 3, 6, 5}, {3, 1, 3, 4, 3, 1, 2, 4, 2, 4});
-  ASSERT_TRUE(IsPlanar(p) && IsIrreducible(p));
-  for (const LoopOrder order : {LoopOrder::kShortestFirst, LoopOrder::kEdgeByEdge}) {
+  const PData one({4, 7, 8, 1, 10, 9, 2, 3, 6, 5}, {3, 1, 3, 4, 3, 1, 2, 4, 2, 4});
+  const PData other({6, 9, 8, 7, 10, 1, 4, 3, 2, 5}, {3, 1, 3, 1, 3, 4, 2, 4, 2, 4});
+  for (const auto& [order, p] : {std::pair(LoopOrder::kShortestFirst, one),
+                                 {LoopOrder::kEdgeByEdge, one},
+                                 {LoopOrder::kCornerByCorner, other}}) {
+    ASSERT_TRUE(IsPlanar(p) && IsIrreducible(p));
     const auto outcome = SearchFaces(p, {Caution::kEdges, order});
     ASSERT_TRUE(outcome.wrong && outcome.right && !outcome.stuck);
     const auto loops = FindLoops(p, Caution::kEdges), faces = FaceSets(p);
