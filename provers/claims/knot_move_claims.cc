@@ -6,8 +6,8 @@ namespace tact::provers {
 
 std::vector<Claim> KnotMoveClaims() {
   std::vector<Claim> all;
-  for (auto part : {KnotR1CrossRuleClaims(), KnotR2RuleClaims(), KnotTriangleClaims(), KnotR3RuleClaims(),
-                    KnotAmbiguityClaims()})
+  for (auto part : {KnotR1CrossRuleClaims(), KnotR2RuleClaims(), KnotR2PlaceClaims(), KnotTriangleClaims(),
+                    KnotR3RuleClaims(), KnotAmbiguityClaims()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

@@ -10,6 +10,7 @@ namespace tact::provers {
 
 std::vector<Claim> KnotR1CrossRuleClaims();
 std::vector<Claim> KnotR2RuleClaims();
+std::vector<Claim> KnotR2PlaceClaims();
 std::vector<Claim> KnotR3RuleClaims();
 /// Propositions 10 to 13, Corollaries 1 and 2.
 std::vector<Claim> KnotTriangleClaims();

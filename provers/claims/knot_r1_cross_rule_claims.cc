@@ -3,7 +3,7 @@
 
 #include "algebra/knot/thesis_rules.h"
 #include "provers/claims/knot_move_claims.h"
-#include "provers/claims/knot_world.h"
+#include "provers/claims/knot_rule_trial.h"
 #include "provers/knot_certificate.h"
 
 namespace tact::provers {
@@ -34,18 +34,7 @@ std::vector<Move> ConcludeCross(const PData& before, const PData& after) {
   return moves;
 }
 
-struct Trial {
-  long long moves = 0, missed = 0, random_moves = 0, conclusions = 0, wrong = 0;
-
-  bool holds() const { return missed + wrong == 0 && moves > 0 && conclusions > 0; }
-};
-
 using Rule = std::vector<Move> (*)(const PData&, const PData&);
-
-bool Concludes(Rule rule, const PData& p, const Move& move) {
-  const auto found = rule(p, Apply(p, move));
-  return std::find(found.begin(), found.end(), move) != found.end();
-}
 
 // Every P-data that the rule's removal can give from p_t.
 std::vector<PData> Removals(MoveKind kind, const PData& p_t) {
@@ -62,43 +51,32 @@ std::vector<PData> Removals(MoveKind kind, const PData& p_t) {
   return removals;
 }
 
-Trial TryRule(MoveKind kind, Rule rule, Effort effort) {
-  Trial trial;
-  ForEachPlanarPDataTo(BoundsOf(effort).smaller, [&](const PData& p) {
-    for (const Move& move : AllMoves(p, p.crossings() + 1)) {
-      if (move.kind != kind || move.direction != MoveDirection::kAdd) continue;
-      ++trial.moves;
-      trial.missed += Concludes(rule, p, move) ? 0 : 1;
-    }
+RuleTrial TryRule(MoveKind kind, Rule rule, Effort effort) {
+  RuleTrial trial;
+  TryMoves(trial, kind, effort, [&](const PData& p, const Move& move, const PData& q) {
+    const auto found = rule(p, q);
+    return std::find(found.begin(), found.end(), move) != found.end();
   });
-  ForEachRandomMove(effort, [&](const PData& p, const Move& move) {
-    if (move.kind != kind || move.direction != MoveDirection::kAdd) return;
-    ++trial.random_moves;
-    trial.missed += Concludes(rule, p, move) ? 0 : 1;
-  });
-  const auto conclude = [&](const PData& p_t) {
+  TryConclusions(trial, effort, [&](const PData& p_t) {
     for (const PData& before : Removals(kind, p_t)) {
       for (const Move& move : rule(before, p_t)) {
         ++trial.conclusions;
         trial.wrong += IsPlanar(before) && Realises(before, move, p_t) ? 0 : 1;
       }
     }
-  };
-  ForEachPlanarPDataTo(BoundsOf(effort).larger, conclude);
-  ForEachRandomRope(effort, conclude);
+  });
   return trial;
 }
 
-Outcome Judge(const Trial& trial, Effort effort, const std::string& more) {
+Outcome Judge(const RuleTrial& trial, Effort effort, const std::string& more) {
   Outcome outcome;
-  outcome.verdict = trial.holds() ? Verdict::kHoldsTo : Verdict::kRefuted;
-  if (!trial.holds()) outcome.no_certificate = "the pair was not kept";
-  const KnotBounds bounds = BoundsOf(effort);
-  outcome.bound = "every such move from " + AllPData(bounds.smaller) + "; every conclusion about " +
-                  AllPData(bounds.larger) + "; both for random ropes of 6 to 12";
+  const bool holds = trial.complete() && trial.sound() && trial.conclusions > 0;
+  outcome.verdict = holds ? Verdict::kHoldsTo : Verdict::kRefuted;
+  if (!holds) outcome.no_certificate = "the pair was not kept";
+  outcome.bound = RuleBound("such move", effort);
   outcome.numbers = {{"moves from the faces", trial.moves},
                      {"moves of random ropes", trial.random_moves},
-                     {"moves missed", trial.missed},
+                     {"moves missed", trial.missed + trial.random_missed},
                      {"conclusions", trial.conclusions},
                      {"conclusions without such a move", trial.wrong}};
   outcome.evidence =
@@ -130,8 +108,7 @@ Outcome TrySeveralWays(Effort effort) {
   ForEachPlanarPDataTo(BoundsOf(effort).smaller, [&](const PData& p) {
     std::map<PData, std::vector<Move>> reached;
     for (const Move& move : AllMoves(p, p.crossings() + 1)) {
-      if (move.kind == MoveKind::kR1 && move.direction == MoveDirection::kAdd)
-        reached[Apply(p, move)].push_back(move);
+      if (Adds(move, MoveKind::kR1)) reached[Apply(p, move)].push_back(move);
     }
     for (const auto& [q, moves] : reached) {
       ++pairs;

@@ -77,6 +77,21 @@ void ForEachRandomMove(Effort effort, const Visit& visit) {
   });
 }
 
+/// What one pass through a world finds, kept for all claims that ask for it.
+template <auto kFind>
+const auto& KeptFor(Effort effort) {
+  if (effort == Effort::kQuick) {
+    static const auto quick = kFind(Effort::kQuick);
+    return quick;
+  }
+  if (effort == Effort::kStandard) {
+    static const auto standard = kFind(Effort::kStandard);
+    return standard;
+  }
+  static const auto full = kFind(Effort::kFull);
+  return full;
+}
+
 /// The least pair of P-data: the first by fewer columns, then by order; with what belongs to it.
 template <typename More>
 struct LeastPair {
