@@ -1,122 +1,16 @@
 // Propositions 10 to 13, Corollaries 1 and 2: how the three segments of an R_III meet, before and after.
 #include <map>
-#include <set>
 
 #include "algebra/knot/thesis_rules.h"
 #include "provers/claims/knot_move_claims.h"
-#include "provers/claims/knot_world.h"
+#include "provers/claims/knot_triangle_tally.h"
 
 namespace tact::provers {
 namespace {
 
-using knot::Move;
-using knot::MoveKind;
 using knot::PData;
 using knot::thesis::PermittedType;
 using knot::thesis::TypeOf;
-
-using Segments = std::array<int, 3>;
-
-// The segment, of the three, that column c's intersection lies on besides its own; 0 if it is none of them.
-int Partner(const PData& p, const Segments& s, int c) {
-  for (const int segment : s) {
-    if (p.sigma(c) == segment - 1 || p.sigma(c) == segment) return segment;
-  }
-  return 0;
-}
-
-struct Tally {
-  long long moves = 0, proposition10 = 0, corollary1 = 0, proposition11 = 0, proposition12 = 0,
-            corollary2 = 0, proposition13 = 0, neighbours = 0, two_apart = 0;
-  long long triangles = 0, at_an_end = 0, twice = 0, no_top = 0;
-  std::map<char, long long> types;
-  std::map<std::pair<char, char>, long long> transitions;
-};
-
-// What of the statements fails for the move, counted.
-void AddMove(Tally& tally, const PData& p, const Move& move) {
-  const PData q = Apply(p, move);
-  const Segments& s = move.segments;
-  ++tally.moves;
-  bool apart = true, distinct = true, exchanged = true, never_kept = true;
-  for (size_t x = 0; x < 3; ++x) {
-    const int i = s[x];
-    for (const PData* at : {&p, &q}) {
-      apart = apart && at->sigma(i) != i - 1;
-      const int here = Partner(*at, s, i - 1), there = Partner(*at, s, i);
-      distinct = distinct && here != 0 && there != 0 && here != there && here != i && there != i;
-    }
-    // Of a segment's two columns, each meets the partner after that the other one met before.
-    exchanged =
-        exchanged && Partner(p, s, i - 1) == Partner(q, s, i) && Partner(p, s, i) == Partner(q, s, i - 1);
-    never_kept = never_kept && p.sigma(i - 1) != q.sigma(i);
-    const int apart_by = std::abs(s[x] - s[(x + 1) % 3]);
-    tally.neighbours += apart_by == 1 ? 1 : 0;
-    tally.two_apart += apart_by == 2 ? 1 : 0;
-  }
-  tally.proposition10 += apart ? 0 : 1;
-  tally.corollary1 += distinct ? 0 : 1;
-  tally.proposition12 += exchanged ? 0 : 1;
-  tally.corollary2 += never_kept ? 0 : 1;
-  // The move back, found from q's faces alone, has the same segments, so they come in the same order.
-  bool same = false;
-  for (const Move& back : AllMoves(q, q.crossings()))
-    same = same || (back.kind == MoveKind::kR3 && back.segments == s && Apply(q, back) == p);
-  tally.proposition11 += same ? 0 : 1;
-  const auto before = TypeOf(p, s), after = TypeOf(q, s);
-  if (!before || !after || *after != PermittedType(*before)) ++tally.proposition13;
-  if (!before || !after) return;
-  ++tally.types[*before];
-  ++tally.transitions[{*before, *after}];
-}
-
-// Why a face of three sides admits no R_III.
-void AddTriangles(Tally& tally, const PData& p) {
-  const knot::Faces faces(p);
-  for (int f = 0; f < faces.count(); ++f) {
-    const auto& walk = faces.walk(f);
-    if (walk.size() != 3) continue;
-    ++tally.triangles;
-    std::set<int> met;
-    bool at_an_end = false;
-    for (const knot::Dart d : walk) {
-      at_an_end = at_an_end || d.segment == 1 || d.segment == p.segments();
-      const int column = std::clamp(d.forward ? d.segment : d.segment - 1, 1, p.columns());
-      met.insert(std::min(column, p.sigma(column)));
-    }
-    const auto over_both = [&](knot::Dart d) { return p.over(d.segment - 1) && p.over(d.segment); };
-    if (at_an_end) {
-      ++tally.at_an_end;
-    } else if (met.size() < 3) {
-      ++tally.twice;
-    } else if (std::none_of(walk.begin(), walk.end(), over_both)) {
-      ++tally.no_top;
-    }
-  }
-}
-
-Tally Count(Effort effort) {
-  Tally tally;
-  ForEachPlanarPDataTo(BoundsOf(effort).triangle, [&](const PData& p) {
-    AddTriangles(tally, p);
-    for (const Move& move : AllMoves(p, p.crossings())) {
-      if (move.kind == MoveKind::kR3) AddMove(tally, p, move);
-    }
-  });
-  ForEachRandomMove(effort, [&](const PData& p, const Move& move) {
-    if (move.kind == MoveKind::kR3) AddMove(tally, p, move);
-  });
-  return tally;
-}
-
-const Tally& TallyTo(Effort effort) {
-  static const Tally quick = Count(Effort::kQuick);
-  if (effort == Effort::kQuick) return quick;
-  static const Tally standard = Count(Effort::kStandard);
-  if (effort == Effort::kStandard) return standard;
-  static const Tally full = Count(Effort::kFull);
-  return full;
-}
 
 std::string Bound(Effort effort) {
   return "every R3 of " + AllPData(BoundsOf(effort).triangle) + " and of random ropes of 6 to 12";
@@ -174,7 +68,7 @@ Outcome TryCorollary1(Effort effort) {
            "Of the fifteen pairings of six columns, eight pair no segment with itself, and in all eight "
            "each segment meets both others.");
   long long apart = 0, right = 0;
-  const Segments s = {2, 4, 6};
+  const Triangle s = {2, 4, 6};
   for (const Pairing& mate : SixColumns()) {
     const PData p = SixColumnPData(mate);
     bool none_with_itself = true, both_met = true;
@@ -195,7 +89,7 @@ Outcome TryCorollary1(Effort effort) {
 }
 
 Outcome TryTypes(Effort effort) {
-  const Tally& tally = TallyTo(effort);
+  const TriangleTally& tally = TallyTo(effort);
   std::map<char, int> pairings;
   long long untyped = 0;
   for (const Pairing& mate : SixColumns()) {
@@ -251,7 +145,7 @@ Outcome TryCorollary2(Effort effort) {
 }
 
 Outcome TryProposition13(Effort effort) {
-  const Tally& tally = TallyTo(effort);
+  const TriangleTally& tally = TallyTo(effort);
   long long wrong = 0;
   for (const Pairing& mate : SixColumns()) {
     const PData p = SixColumnPData(mate);
