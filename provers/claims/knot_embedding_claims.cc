@@ -34,6 +34,17 @@ Drawings FindDrawings(const PData& p) {
   return drawings;
 }
 
+// "2, 2 and 3": edges of the faces, ascending.
+std::string FaceLengths(const Rotation& rotation) {
+  std::vector<size_t> lengths;
+  for (const auto& face : knot::TraceFaces(rotation)) lengths.push_back(face.size());
+  std::sort(lengths.begin(), lengths.end());
+  std::string text;
+  for (size_t k = 0; k < lengths.size(); ++k)
+    text += (k == 0 ? "" : k + 1 == lengths.size() ? " and " : ", ") + std::to_string(lengths[k]);
+  return text;
+}
+
 Outcome TryProposition9(Effort effort) {
   const std::string id = "thesis.5.1.3.proposition-9";
   Outcome outcome;
@@ -41,8 +52,7 @@ Outcome TryProposition9(Effort effort) {
               {"intersections", "P-data", "more than one drawing", "even without names", "most drawings"},
               {}};
   long long total = 0, total_several = 0, total_unlike = 0;
-  bool named = false, nameless = false;
-  std::string least, least_nameless;
+  std::string named, nameless;
   // Trying all rotations costs six times more for each intersection.
   const int bound = std::min(OutlineBound(effort), 6);
   for (int n = 2; n <= bound; ++n) {
@@ -52,15 +62,14 @@ Outcome TryProposition9(Effort effort) {
       most = std::max(most, drawings.all / 2);
       several += drawings.other ? 1 : 0;
       unlike += drawings.nameless ? 1 : 0;
-      if (drawings.other && !named) {
-        named = true;
-        least = Show(p);
+      if (drawings.other && named.empty()) {
+        named = Show(p);
         outcome.certificates.push_back(
             KnotEmbeddingCertificate(id + ".named", id, p, *drawings.other, false));
       }
-      if (drawings.nameless && !nameless) {
-        nameless = true;
-        least_nameless = Show(p);
+      if (drawings.nameless && nameless.empty()) {
+        nameless = Show(p) + ": faces of " + FaceLengths(RotationOf(p)) + " edges, or of " +
+                   FaceLengths(*drawings.nameless);
         outcome.certificates.push_back(
             KnotEmbeddingCertificate(id + ".nameless", id, p, *drawings.nameless, true));
       }
@@ -71,7 +80,7 @@ Outcome TryProposition9(Effort effort) {
     total_several += several;
     total_unlike += unlike;
   }
-  if (!named || !nameless) return outcome;
+  if (named.empty() || nameless.empty()) return outcome;
   outcome.verdict = Verdict::kRefuted;
   outcome.bound = "all irreducible P-data of 2 to " + std::to_string(bound) +
                   " intersections; smallest counterexample: three";
@@ -80,16 +89,14 @@ Outcome TryProposition9(Effort effort) {
                      {"with more than one drawing", total_several},
                      {"even without names", total_unlike}};
   outcome.evidence =
-      "The subdivision has one embedding, but it is made from faces: two embeddings of a knot graph give two "
-      "subdivisions. Where two vertices part the knot graph, one side can be turned over. " +
-      least +
-      " has two parallel edges e1 and e4 that may be exchanged without the others.\n\n"
-      "If the edges' names are of no account, that changes nothing there; the smallest P-data with drawings "
-      "that even then differ is " +
-      least_nameless +
-      ": faces of 2, 2, 3, 3, 4 and 4 edges, or of 2, 2, 3, 3, 3 and 5.\n\n"
-      "What the drawings lose is that a strand goes straight on "
-      "(thesis.5.1.3.proposition-9-corrected).";
+      "The subdivision has one embedding, but it is made from faces: two embeddings of a knot graph give "
+      "two subdivisions. Where two vertices part the knot graph, one side can be turned over. Smallest: in " +
+      named +
+      " two parallel edges may be exchanged. Without names these drawings look alike; the smallest P-data "
+      "with drawings that even then differ is " +
+      nameless +
+      ".\n\n"
+      "What such drawings lose is that a strand goes straight on (thesis.5.1.3.proposition-9-corrected).";
   return outcome;
 }
 
@@ -102,19 +109,15 @@ Outcome TryProposition9Corrected(Effort effort) {
                        if (!turned || OutlineOf(*turned) != p) return false;
                        return p.crossings() > 7 || FindDrawings(p).straight == 2;
                      }),
-      "All rotations of the knot graph were tried to 7 intersections: of those on a sphere two are straight, "
-      "the P-data's own and its mirror image.\n\n"
+      "All rotations of the knot graph were tried to 7 intersections: of those on a sphere two are "
+      "straight, the P-data's own and its mirror image.\n\n"
       "Why it holds for every n: a straight rotation is a choice of turns, left or right, at each "
-      "intersection. Let columns i < a < sigma(i) < sigma(a). The rope from i to sigma(i) and that from a to "
-      "sigma(a) are closed curves that have a..sigma(i) in common. Pushed apart there they cross once more "
-      "just "
-      "if turn(i) = turn(a), and besides where an intersection has one column on each. On a sphere they "
-      "cross "
-      "an even number of times, so the pairing alone says whether the two turns are equal. In irreducible "
-      "P-data "
-      "such pairs join all intersections: one turn decides all. The law is in algebra/knot/turns.h; it holds "
-      "for "
-      "the random ropes, too.");
+      "intersection. Let columns i < a < sigma(i) < sigma(a). The rope from i to sigma(i) and that from a "
+      "to sigma(a) are closed curves that have a..sigma(i) in common. Pushed apart there they cross once "
+      "more just if turn(i) = turn(a), and besides where an intersection has one column on each. On a "
+      "sphere they cross an even number of times, so the pairing alone says whether the two turns are "
+      "equal. In irreducible P-data such pairs join all intersections: one turn decides all. The law is in "
+      "algebra/knot/turns.h; it holds for the random ropes, too.");
 }
 
 Outcome TryOneAttribute(Effort effort) {
@@ -151,8 +154,7 @@ Outcome TryOneAttribute(Effort effort) {
   if (!least) return outcome;
   outcome.evidence +=
       "Of reducible P-data each part has a choice of its own: a pairing of k parts has 2^k choices of turns "
-      "on a "
-      "sphere, and one attribute does not suffice, first for the pairing of " +
+      "on a sphere, and one attribute does not suffice, first for the pairing of " +
       Show(*least) + ". With one attribute in each part the rest follows.";
   return outcome;
 }

@@ -32,8 +32,8 @@ Outcome TryFigure52(Effort) {
       p.columns() == 6 && p.sigma(2) == 5 && p.attr(3) == 2 && IsPlanar(p) && IsIrreducible(p) &&
           OutlineOf(p) == OutlineOf(Overhand()),
       Show(p) +
-          " is P-data of a sphere and irreducible. It has the outline of the overhand knot of 5.4.1, "
-          "or its mirror image, with other heights.");
+          " is P-data of a sphere and irreducible. It has the outline of the overhand knot of 5.4.1, or its "
+          "mirror image, with other heights.");
 }
 
 Outcome TryKnotGraph(Effort) {
@@ -64,8 +64,8 @@ Outcome TryFaces(Effort) {
             !knot::thesis::Allows(p, Caution::kEdges, loop);
   return Reproduced(right,
                     "The search with the caution finds just the four faces, whatever it chooses; without it "
-                    "{e1, e2, e3} or {e3, e4, e5} may be chosen instead, as the text says. e2, e3 and e3, e4 "
-                    "follow each other, too, but at vertices of three edges.");
+                    "{e1, e2, e3} or {e3, e4, e5} may be chosen instead, as the text says. e2, e3 and e3, "
+                    "e4 follow each other, too, but at vertices of three edges.");
 }
 
 // Faces that look alike when the rope is read from its other end. None if that gives other P-data.
@@ -86,12 +86,12 @@ long long DifferentExternalFaces(const PData& p) {
 Outcome TryExternalFaces(Effort effort) {
   Outcome outcome = Reproduced(
       DifferentExternalFaces(Overhand()) == 4,
-      "The rope tells its faces apart: a map of the sphere that keeps the rope and its direction keeps every "
-      "segment. So c + 1 projections on the plane, c intersections, have the same P-data, four of them the "
-      "overhand knot's; on the sphere they are one. Where reading from the other end gives the same P-data, "
-      "faces that this exchanges look alike.\n\n"
-      "So P-data are reversible on the sphere, and on the plane when the external face is given. A rope on a "
-      "table moves as on the plane: an R1 or Cross move on the sphere may lead round the back.");
+      "The rope tells its faces apart: a map of the sphere that keeps the rope and its direction keeps "
+      "every segment. So c + 1 projections on the plane, c intersections, have the same P-data, four of "
+      "them the overhand knot's; on the sphere they are one. Where reading from the other end gives the "
+      "same P-data, faces that this exchanges look alike.\n\n"
+      "So P-data are reversible on the sphere, and on the plane when the external face is given. A rope on "
+      "a table moves as on the plane: an R1 or Cross move on the sphere may lead round the back.");
   Table table{"Projections with one P-data but for the choice of the selective end",
               {"intersections", "P-data", "projections on the plane"},
               {}};
@@ -118,8 +118,7 @@ std::vector<Claim> KnotExampleClaims() {
        "5.1.3, Definitions 3 to 5", "exhaustive", TryFigure52},
       {"thesis.5.4.1.knot-graph",
        "The knot graph of the irreducible P-data (4 5 6 1 2 3; 3 4 3 4 3 4) has three vertices and the five "
-       "edges "
-       "{v1, v2}, {v2, v3}, {v3, v1}, {v1, v2}, {v2, v3}.",
+       "edges {v1, v2}, {v2, v3}, {v3, v1}, {v1, v2}, {v2, v3}.",
        "5.4.1", "exhaustive", TryKnotGraph},
       {"thesis.5.4.1.faces",
        "Its faces are {e1, e4}, {e2, e5}, {e1, e5, e3} and {e4, e2, e3}, not {e1, e2, e3} and {e3, e4, e5}.",

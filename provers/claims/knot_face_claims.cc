@@ -22,35 +22,31 @@ std::string ShowLoop(EdgeSet set) {
   return text + "}";
 }
 
-Outcome TryEachEdgeTwice(Effort effort) {
-  Outcome outcome = Judge(
-      TryIrreducible(effort, 1,
-                     [](const PData& p) {
-                       std::vector<int> used(static_cast<size_t>(p.columns()), 0);
-                       for (knot::EdgeWalk walk : KnotGraphFaces(p)) {
-                         std::sort(walk.begin(), walk.end());
-                         if (std::adjacent_find(walk.begin(), walk.end()) != walk.end()) return false;
-                         for (const int k : walk) ++used[static_cast<size_t>(k)];
-                       }
-                       return std::count(used.begin(), used.end(), 2) == p.columns() - 1;
-                     }),
-      "No vertex parts the knot graph (thesis.5.1.3.proposition-7), so neither does an edge, and it has two "
-      "different faces at its sides.\n\n");
-  const auto bridged = [](const PData& p) {
-    for (knot::EdgeWalk walk : KnotGraphFaces(p)) {
-      std::sort(walk.begin(), walk.end());
-      if (std::adjacent_find(walk.begin(), walk.end()) != walk.end()) return true;
-    }
-    return false;
-  };
-  for (int n = 1; n <= 3; ++n) {
-    const auto& all = Outlines(n);
-    const auto first = std::find_if(all.begin(), all.end(), bridged);
-    if (first == all.end()) continue;
-    outcome.evidence += "In reducible P-data an edge may have the same face at both sides, first in " +
-                        Show(*first) + ", between two kinks.";
-    break;
+// Whether a face has an edge at both its sides.
+bool HasBridge(const PData& p) {
+  for (knot::EdgeWalk walk : KnotGraphFaces(p)) {
+    std::sort(walk.begin(), walk.end());
+    if (std::adjacent_find(walk.begin(), walk.end()) != walk.end()) return true;
   }
+  return false;
+}
+
+Outcome TryEachEdgeTwice(Effort effort) {
+  const auto holds = [](const PData& p) {
+    std::vector<int> used(static_cast<size_t>(p.columns()), 0);
+    for (const knot::EdgeWalk& walk : KnotGraphFaces(p)) {
+      for (const int k : walk) ++used[static_cast<size_t>(k)];
+    }
+    return !HasBridge(p) && std::count(used.begin(), used.end(), 2) == p.columns() - 1;
+  };
+  Outcome outcome = Judge(TryIrreducible(effort, 1, holds),
+                          "No vertex parts the knot graph (thesis.5.1.3.proposition-7), so neither does an "
+                          "edge, and it has two different faces at its sides.");
+  const auto& two = Outlines(2);
+  const auto first = std::find_if(two.begin(), two.end(), HasBridge);
+  if (first == two.end()) return outcome;
+  outcome.evidence += "\n\nIn reducible P-data an edge may have one face at both sides, first in " +
+                      Show(*first) + ", between two kinks.";
   return outcome;
 }
 
@@ -62,17 +58,13 @@ Outcome TryCaution(Effort effort) {
   Outcome outcome = Judge(
       TryIrreducible(effort, 2, [&](const PData& p) { return holds(p, Caution::kEdges); }),
       "A face turns at each intersection from one strand to the other, left each time. Where the rope ends, "
-      "the "
-      "segment that the knot graph leaves out stands in the corner between two edges of one strand, and a "
-      "face may "
-      "have both; the text speaks of vertices with four edges, so it is right.\n\n"
-      "Its numbers are right if edges are counted as in 5.4.1, where e1 is the second segment. Counted as in "
-      "Definition 2, from the selective end, they forbid faces, in 5.4.1 the face {e4, e2, e3}: e3 and e4 "
-      "are "
-      "segments 4 and 5, and the vertex of columns 2 and 5 has four edges. Forbidding two edges in a row at "
-      "every "
-      "vertex would forbid faces from two intersections on. Loops that the caution allows need not be faces "
-      "(thesis.5.1.3.face-search).");
+      "the segment that the knot graph leaves out stands in the corner between two edges of one strand, and "
+      "a face may have both; the text speaks of vertices with four edges, so it is right.\n\n"
+      "Its numbers are right if edges are counted as in 5.4.1, where e1 is the second segment. Counted as "
+      "in Definition 2, from the selective end, they forbid faces, in 5.4.1 the face {e4, e2, e3}: e3 and "
+      "e4 are segments 4 and 5, and the vertex of columns 2 and 5 has four edges. Forbidding two edges in a "
+      "row at every vertex would forbid faces from two intersections on. Loops that the caution allows need "
+      "not be faces (thesis.5.1.3.face-search).");
   for (const auto& [caution, name] : {std::pair(Caution::kSegments, "counted as in Definition 2"),
                                       std::pair(Caution::kEveryVertex, "at every vertex")}) {
     long long failures = 0;
@@ -143,18 +135,14 @@ Outcome TryFaceSearch(Effort effort) {
                   " intersections; smallest counterexample: five";
   outcome.tables = {table};
   outcome.evidence =
-      "Three readings of the search, shortest of all loops first, edge after edge, or corner after corner of "
-      "two "
-      "edges that the caution allows, each with every way to choose among loops of one length, and three of "
-      "the "
-      "caution. With the caution, edges counted as in 5.4.1, all is well up to four intersections. First "
-      "failure: in " +
+      "Three readings of the search, shortest of all loops first, edge after edge, or corner after corner "
+      "of two edges that the caution allows, each with every way to choose among loops of one length, and "
+      "three of the caution. With the caution, edges counted as in 5.4.1, all is well up to four "
+      "intersections. First failure: in " +
       shown[0] + " the loop " + shown[1] +
       " is as short as faces that are left, turns left at one intersection and right at another, and has "
-      "parts of "
-      "the rope on both sides. From six intersections on there are P-data for which no choices are right: "
-      "the "
-      "loop is shorter than a face.\n\n"
+      "parts of the rope on both sides. From six intersections on there are P-data for which no choices are "
+      "right: the loop is shorter than a face.\n\n"
       "Corrected: trace the faces by the turns (thesis.5.1.3.face-search-corrected).";
   return outcome;
 }
@@ -179,12 +167,9 @@ Outcome TryFaceSearchCorrected(Effort effort) {
                      }),
       "A face goes on, at each intersection, along the other strand to the left. The turns are those of the "
       "attributes or, the reverse apart, of the pairing alone (thesis.5.1.3.proposition-9-corrected), so "
-      "that a "
-      "knot graph suffices. Tracing takes each side of each edge once, in linear time; by Euler's formula "
-      "there "
-      "are as many faces as the sphere asks for, which makes them all. Two tracings, with the end segments "
-      "and "
-      "without, give the same.");
+      "that a knot graph suffices. Tracing takes each side of each edge once, in linear time; by Euler's "
+      "formula there are as many faces as the sphere asks for, which makes them all. Two tracings, with the "
+      "end segments and without, give the same.");
 }
 
 }  // namespace

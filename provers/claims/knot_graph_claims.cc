@@ -76,12 +76,10 @@ Outcome TryGraphAndAttributes(Effort effort) {
   outcome.numbers = {{"P-data, heights apart", outlines}, {"failures", failures}};
   outcome.evidence =
       "The edges with their numbers give the pairing of the columns: e_k leads from column k to column k + "
-      "1. "
-      "One attribute an intersection gives its other one.\n\n"
+      "1. One attribute an intersection gives its other one.\n\n"
       "Drawn without the numbers a knot graph does not suffice: an end may leave a vertex of three edges "
-      "into "
-      "each of its three corners. (4 5 6 1 2 3; 1 2 1 2 1 2) and (4 6 5 1 3 2; 1 1 2 2 1 2) have the same "
-      "drawing, a triangle with two doubled sides.";
+      "into each of its three corners. (4 5 6 1 2 3; 1 2 1 2 1 2) and (4 6 5 1 3 2; 1 1 2 2 1 2) have the "
+      "same drawing, a triangle with two doubled sides.";
   return outcome;
 }
 
@@ -89,21 +87,17 @@ Outcome TryProposition7(Effort effort) {
   Outcome outcome = Judge(TryIrreducible(effort, 0, [](const PData& p) { return !FindBrokenDual(p); }),
                           "Each face was the external one in turn.\n\n"
                           "Why it holds for every n: let a vertex part the knot graph. The rope passes it "
-                          "twice, which cuts the rope "
-                          "into three runs, and one side holds just one of them: columns in a row with all "
-                          "their mates, so the P-data "
-                          "are reducible. Without such a vertex every face is a simple closed path, and the "
-                          "dual graph, too, is parted "
+                          "twice, which cuts the rope into three runs, and one side holds just one of them: "
+                          "columns in a row with all their mates, so the P-data are reducible. Without such "
+                          "a vertex every face is a simple closed path, and the dual graph, too, is parted "
                           "by no vertex, the external face least of all.\n\n");
   const AllTrial all = TryReducibleToo(4, FindBrokenDual);
   AddNumbers(outcome, all);
   if (!all.first) return outcome;
   outcome.evidence += "Read for any P-data it fails, first for " + Show(*all.first) +
                       ": two kinks, their insides joined by nothing but the face outside. The printed proof "
-                      "exchanges its second "
-                      "and third case: a rope that stops inside the loop meets what is inside after i, so it "
-                      "is the columns from "
-                      "i to n that are closed.";
+                      "exchanges its second and third case: a rope that stops inside the loop meets what is "
+                      "inside after i, so it is the columns from i to n that are closed.";
   return outcome;
 }
 
@@ -130,9 +124,8 @@ Outcome TryProposition8(Effort) {
   outcome.evidence =
       Show(kink) +
       " is irreducible. Its knot graph is a loop, whose subdivision is a triangle with one side doubled: "
-      "three "
-      "vertices, where three-connected asks for four, and nothing that a drawing with straight sides could "
-      "keep apart. From two intersections on the proposition holds "
+      "three vertices, where three-connected asks for four, and nothing that a drawing with straight sides "
+      "could keep apart. From two intersections on the proposition holds "
       "(thesis.5.1.3.proposition-8-corrected).\n\n"
       "Reducible P-data fail, too, first " +
       Show(*all.first) + ".";
@@ -143,10 +136,10 @@ Outcome TryProposition8Corrected(Effort effort) {
   return Judge(
       TryIrreducible(effort, 2, [](const PData& p) { return !FindWeakSubdivision(p); }),
       "Each face was the external one in turn; each two vertices were taken away.\n\n"
-      "Why it holds for every n: no vertex parts the knot graph (thesis.5.1.3.proposition-7), so each "
-      "face is a simple closed path, the subdivision of a face with k edges a wheel of 2k spokes, k at "
-      "least 2, and two neighbouring wheels share a path of three vertices, of which two may go. The "
-      "dual graph joins all of the wheels, and every vertex is on one of them.");
+      "Why it holds for every n: no vertex parts the knot graph (thesis.5.1.3.proposition-7), so each face "
+      "is a simple closed path, the subdivision of a face with k edges a wheel of 2k spokes, k at least 2, "
+      "and two neighbouring wheels share a path of three vertices, of which two may go. The dual graph "
+      "joins all of the wheels, and every vertex is on one of them.");
 }
 
 }  // namespace

@@ -67,12 +67,10 @@ Outcome TryParts(Effort effort) {
   outcome.numbers = {{"pairings", arrays}, {"reducible", reducible}, {"failures", failures}};
   outcome.evidence =
       "The parts are the classes of intersections that alternate along the rope, one with the next. Two "
-      "classes "
-      "do not alternate, so they nest or follow each other: among several one has columns in a row, and "
-      "those "
-      "are closed. Columns that are closed are a union of classes. So P-data are irreducible just if there "
-      "is "
-      "one class, the parts are the only ones, and each is put into a segment of what the earlier ones make.";
+      "classes do not alternate, so they nest or follow each other: among several one has columns in a row, "
+      "and those are closed. Columns that are closed are a union of classes. So P-data are irreducible just "
+      "if there is one class, the parts are the only ones, and each is put into a segment of what the "
+      "earlier ones make.";
   return outcome;
 }
 
@@ -106,13 +104,11 @@ Outcome TryConnecting(Effort effort) {
   outcome.certificates = {KnotPartsCertificate(id + ".counterexample", id, *least)};
   outcome.evidence =
       Show(*least) + " is a loop into which a rope of two intersections is put: " +
-      "both are of a sphere, but the rope's two ends lie on two of its faces, so that it leads from one side "
-      "of "
-      "itself to the other, and the loop's segment has two different faces at its sides. It takes a "
+      "both are of a sphere, but the rope's two ends lie on two of its faces, so that it leads from one "
+      "side of itself to the other, and the loop's segment has two different faces at its sides. It takes a "
       "torus.\n\n"
       "Nor is connecting a matter of putting projections end to end: in (4 3 2 1; 1 1 2 2) a kink is inside "
-      "a "
-      "kink.\n\n"
+      "a kink.\n\n"
       "P-data that were read off a rope never fail so (thesis.5.1.3.connecting-corrected); arrays may.";
   return outcome;
 }
@@ -160,29 +156,26 @@ Outcome TryConnectingCorrected(Effort effort) {
                      {"failures", failures}};
   outcome.evidence =
       "If the part's ends lie on one face, that face is made the external one and the part is drawn small "
-      "upon "
-      "the segment. If the segment has one face at both sides, cutting it leaves two pieces that are drawn "
-      "small at the two ends of the part. If neither is so, the part joins the two faces at its ends by the "
-      "two "
-      "pieces of the other rope, and these go round the segment: one handle, and each insertion adds its "
-      "own. "
-      "An array is of a sphere just if its parts are and none of the insertions takes a handle.";
+      "upon the segment. If the segment has one face at both sides, cutting it leaves two pieces that are "
+      "drawn small at the two ends of the part. If neither is so, the part joins the two faces at its ends "
+      "by the two pieces of the other rope, and these go round the segment: one handle, and each insertion "
+      "adds its own. An array is of a sphere just if its parts are and none of the insertions takes a "
+      "handle.";
   return outcome;
 }
 
 }  // namespace
 
 std::vector<Claim> KnotPartClaims() {
-  return {
-      {"thesis.5.1.3.parts", "Reducible P-data consist of irreducible P-data.", "5.1.3, Definition 6",
-       "exhaustive", TryParts},
-      {"thesis.5.1.3.connecting",
-       "All P-data are reversed by connecting the projections of their irreducible parts.", "5.1.3",
-       "exhaustive", TryConnecting},
-      {"thesis.5.1.3.connecting-corrected",
-       "Projections can be connected, one put into a segment of the other, just if the one's ends lie on one "
-       "face or the segment has one face at both sides.",
-       "5.1.3", "exhaustive", TryConnectingCorrected}};
+  return {{"thesis.5.1.3.parts", "Reducible P-data consist of irreducible P-data.", "5.1.3, Definition 6",
+           "exhaustive", TryParts},
+          {"thesis.5.1.3.connecting",
+           "All P-data are reversed by connecting the projections of their irreducible parts.", "5.1.3",
+           "exhaustive", TryConnecting},
+          {"thesis.5.1.3.connecting-corrected",
+           "Projections can be connected, one put into a segment of the other, just if the one's ends lie on "
+           "one face or the segment has one face at both sides.",
+           "5.1.3", "exhaustive", TryConnectingCorrected}};
 }
 
 }  // namespace tact::provers
