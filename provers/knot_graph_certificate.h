@@ -11,8 +11,8 @@
 
 namespace tact::provers {
 
-/// A planar rotation of p's knot graph besides its own and that one's mirror image; nameless: not even without the edges' names
-/// like its own.
+/// A planar rotation of p's knot graph besides its own and that one's mirror image; nameless: not even without the
+/// edges' names like its own.
 Certificate KnotEmbeddingCertificate(const std::string& name, const std::string& claim, const knot::PData& p,
                                      const knot::Rotation& rotation, bool nameless);
 /// A search for faces that goes wrong: outcome is that of the reading.

@@ -1,5 +1,6 @@
 /// @file
-/// What the certificates about knots share: P-data as JSON, the members that each certificate has. For certificate writers only.
+/// What the certificates about knots share: P-data as JSON, the members that each certificate has. For certificate
+/// writers only.
 #pragma once
 
 #include <nlohmann/json.hpp>

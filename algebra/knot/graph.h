@@ -1,6 +1,7 @@
 /// @file
 /// Small graphs, loops and parallel edges allowed: what is left of them without some vertices.
-/// Model   k-connected: more than k vertices, and connected without any k - 1 of them. Loops and parallel edges play no part.
+/// Model   k-connected: more than k vertices, and connected without any k - 1 of them. Loops and parallel edges play no
+///         part.
 /// Cost    O(m) for a set of vertices; sets are tried one by one.
 #pragma once
 

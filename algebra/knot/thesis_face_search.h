@@ -1,8 +1,8 @@
 /// @file
-/// The search for faces of [thesis, 5.1.3], literally: shorter loops of the knot graph first, each edge in two of them, and the
-/// caution about loops that follow one strand. On trial in provers/claims/; faces.h traces faces instead.
-/// Model   A loop is a set of edges of thesis_graphs.h, bit k - 1 for e_k, that form a simple closed path. A choice that the
-///         text leaves open, which of several shortest loops comes first, is made in every way.
+/// The search for faces of [thesis, 5.1.3], literally: shorter loops of the knot graph first, each edge in two of them,
+/// and the caution about loops that follow one strand. On trial in provers/claims/; faces.h traces faces instead.
+/// Model   A loop is a set of edges of thesis_graphs.h, bit k - 1 for e_k, that form a simple closed path. A choice
+///         that the text leaves open, which of several shortest loops comes first, is made in every way.
 /// Errors  PreconditionError: more than 32 edges.
 /// Cost    exponential; loops are listed one by one.
 #pragma once
@@ -16,8 +16,9 @@ namespace tact::knot::thesis {
 
 using EdgeSet = uint32_t;
 
-/// "Consider the vertex which has four adjacent edges ... i-th and j-th intersections. At this time, these edges are i-1-th,
-/// i-th, j-1-th, and j-th segments. Loops including i-1-th and i-th segments do not compose a face", nor those with j.
+/// "Consider the vertex which has four adjacent edges ... i-th and j-th intersections. At this time, these edges are
+/// i-1-th, i-th, j-1-th, and j-th segments. Loops including i-1-th and i-th segments do not compose a face", nor those
+/// with j.
 enum class Caution {
   kNone,
   kEdges,        // edges counted as in 5.4.1: e_(i-1) and e_i, at vertices of four edges
@@ -27,7 +28,7 @@ enum class Caution {
 enum class LoopOrder {
   kShortestFirst,  // of all loops still allowed
   kEdgeByEdge,     // of those through the first edge that is not in two faces yet
-  kCornerByCorner  // of those through the first two edges of a vertex, allowed together, that are in no face together yet
+  kCornerByCorner  // of those through the first two edges of one vertex, allowed together, that no face has both of
 };
 struct FaceSearchReading {
   Caution caution = Caution::kEdges;

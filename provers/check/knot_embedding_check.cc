@@ -1,4 +1,5 @@
-// `knot-embedding`: a drawing of a knot graph on a sphere that is neither that of its P-data nor its mirror image [thesis, 5.1.3, Proposition 9].
+// `knot-embedding`: a drawing of a knot graph on a sphere that is neither that of its P-data nor its mirror image
+// [thesis, 5.1.3, Proposition 9].
 #include <algorithm>
 #include <cstdlib>
 #include <map>

@@ -1,4 +1,5 @@
-// `knot-face-search`: P-data on which the search for faces of [thesis, 5.1.3] goes wrong, for some or for all of its choices. Every choice is tried.
+// `knot-face-search`: P-data on which the search for faces of [thesis, 5.1.3] goes wrong, for some or for all of its
+// choices. Every choice is tried.
 #include <algorithm>
 #include <set>
 #include <string>

@@ -1,4 +1,5 @@
-// `knot-subdivision`: a barycentric subdivision of a knot graph that is not three-connected [thesis, 5.1.3, Proposition 8].
+// `knot-subdivision`: a barycentric subdivision of a knot graph that is not three-connected [thesis, 5.1.3, Proposition
+// 8].
 #include <algorithm>
 #include <set>
 

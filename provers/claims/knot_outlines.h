@@ -1,7 +1,7 @@
 /// @file
 /// Outlines of ropes, and how far the claims of [thesis, 5.1] are tried on them.
-/// Model   Knot graphs, faces and parts do not see which strand is above. An outline stands for all P-data with one pairing and
-///         one choice of turns: every sign is minus, which makes it the least of them.
+/// Model   Knot graphs, faces and parts do not see which strand is above. An outline stands for all P-data with one
+///         pairing and one choice of turns: every sign is minus, which makes it the least of them.
 #pragma once
 
 #include <functional>

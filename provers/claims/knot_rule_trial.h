@@ -1,7 +1,7 @@
 /// @file
 /// What comes of trying a rule that detects a kind of move: moves it misses, conclusions that are wrong.
-/// Model   Complete: every move that the faces admit is found, with its segments, from the pair that it makes. Sound: every
-///         conclusion is such a move.
+/// Model   Complete: every move that the faces admit is found, with its segments, from the pair that it makes. Sound:
+///         every conclusion is such a move.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
-// Certificates about knot graphs, their faces and the parts of P-data, right and changed. What must come out is known by hand.
+// Certificates about knot graphs, their faces and the parts of P-data, right and changed. What must come out is known
+// by hand.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -20,7 +21,8 @@ json Frame(const std::string& kind, const std::vector<int>& sigma, const std::ve
           {"p_data", {{"sigma", sigma}, {"attr", attr}}}};
 }
 
-// The overhand knot's graph with its parallel edges e1 and e4 exchanged; its own drawing is [1,-3,4], [2,5,-1,-4], [3,-5,-2].
+// The overhand knot's graph with its parallel edges e1 and e4 exchanged; its own drawing is [1,-3,4], [2,5,-1,-4],
+// [3,-5,-2].
 json Exchanged() {
   json c = Frame("knot-embedding", {4, 5, 6, 1, 2, 3}, {1, 2, 1, 2, 1, 2});
   c["rotation"] = {{4, -3, 1}, {2, 5, -4, -1}, {3, -5, -2}};

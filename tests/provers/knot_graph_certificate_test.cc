@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "algebra/knot/graph.h"
@@ -15,7 +16,6 @@
 #include "provers/check/knot_graph.h"
 #include "provers/claims/knot_outlines.h"
 #include "tests/algebra/knot/p_data_world.h"
-#include "tests/provers/knot_oracle.h"
 
 namespace tact::provers {
 namespace {

@@ -36,8 +36,9 @@ TEST(Rotation, TracesTheFacesOfEveryPDataToThreeIntersections) {
   EXPECT_EQ(Genus(RotationOf(PData())), 0);
 }
 
-// By hand: each of the two pairs of parallel edges may be exchanged, and the whole be mirrored: of 2 * 6 * 2 rotations four
-// are planar. With just one pair exchanged the strands of the middle intersection, e1 e2 and e4 e5, go round corners.
+// By hand: each of the two pairs of parallel edges may be exchanged, and the whole be mirrored: of 2 * 6 * 2 rotations
+// four are planar. With just one pair exchanged the strands of the middle intersection, e1 e2 and e4 e5, go round
+// corners.
 TEST(Rotation, TheOverhandKnotsGraphHasFourPlanarRotationsAndTwoStraightOnes) {
   std::vector<Rotation> planar;
   ForEachPlanarRotation(kOverhand, [&](const Rotation& r) { planar.push_back(r); });

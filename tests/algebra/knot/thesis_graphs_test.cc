@@ -59,8 +59,8 @@ TEST(ThesisGraphs, EachEdgeIsTwiceOnFacesAndEulersFormulaHolds) {
   }
 }
 
-// Propositions 7 and 8 of the thesis, beyond the bound of the ledger. Random external faces: 20 intersections have 3000 pairs
-// of vertices for each.
+// Propositions 7 and 8 of the thesis, beyond the bound of the ledger. Random external faces: 20 intersections have 3000
+// pairs of vertices for each.
 RC_GTEST_PROP(ThesisGraphsLaw, IrreducibleKnotGraphsHaveConnectedDualsAndThreeConnectedSubdivisions,
               (uint64_t seed)) {
   std::mt19937_64 random(seed);
