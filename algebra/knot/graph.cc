@@ -5,49 +5,64 @@ namespace {
 
 size_t Index(int vertex) { return static_cast<size_t>(vertex); }
 
-// Extends `chosen` by vertices from `next` on.
-bool FindFrom(const Graph& graph, int next, int more, std::vector<int>& chosen) {
-  if (more == 0) return CountComponents(graph, chosen) > 1;
-  for (int v = next; v < graph.vertices; ++v) {
-    chosen.push_back(v);
-    if (FindFrom(graph, v + 1, more - 1, chosen)) return true;
-    chosen.pop_back();
+// The neighbours of each vertex, made once for many sets of vertices without which the rest is counted.
+class Neighbours {
+ public:
+  explicit Neighbours(const Graph& graph) : of_(Index(graph.vertices)) {
+    for (const auto& [a, b] : graph.edges) {
+      of_[Index(a)].push_back(b);
+      of_[Index(b)].push_back(a);
+    }
   }
-  return false;
-}
+
+  int CountComponents(const std::vector<int>& without) {
+    seen_.assign(of_.size(), false);
+    for (const int v : without) seen_[Index(v)] = true;
+    int components = 0;
+    for (int start = 0; start < static_cast<int>(of_.size()); ++start) {
+      if (seen_[Index(start)]) continue;
+      ++components;
+      seen_[Index(start)] = true;
+      waiting_ = {start};
+      while (!waiting_.empty()) {
+        const int v = waiting_.back();
+        waiting_.pop_back();
+        for (const int w : of_[Index(v)]) {
+          if (seen_[Index(w)]) continue;
+          seen_[Index(w)] = true;
+          waiting_.push_back(w);
+        }
+      }
+    }
+    return components;
+  }
+
+  // Extends `chosen` by vertices from `next` on.
+  bool FindSeparator(int next, int more, std::vector<int>& chosen) {
+    if (more == 0) return CountComponents(chosen) > 1;
+    for (int v = next; v < static_cast<int>(of_.size()); ++v) {
+      chosen.push_back(v);
+      if (FindSeparator(v + 1, more - 1, chosen)) return true;
+      chosen.pop_back();
+    }
+    return false;
+  }
+
+ private:
+  std::vector<std::vector<int>> of_;
+  std::vector<bool> seen_;
+  std::vector<int> waiting_;
+};
 
 }  // namespace
 
 int CountComponents(const Graph& graph, const std::vector<int>& without) {
-  std::vector<std::vector<int>> neighbours(Index(graph.vertices));
-  for (const auto& [a, b] : graph.edges) {
-    neighbours[Index(a)].push_back(b);
-    neighbours[Index(b)].push_back(a);
-  }
-  std::vector<bool> seen(Index(graph.vertices));
-  for (const int v : without) seen[Index(v)] = true;
-  int components = 0;
-  for (int start = 0; start < graph.vertices; ++start) {
-    if (seen[Index(start)]) continue;
-    ++components;
-    seen[Index(start)] = true;
-    std::vector<int> waiting = {start};
-    while (!waiting.empty()) {
-      const int v = waiting.back();
-      waiting.pop_back();
-      for (const int w : neighbours[Index(v)]) {
-        if (seen[Index(w)]) continue;
-        seen[Index(w)] = true;
-        waiting.push_back(w);
-      }
-    }
-  }
-  return components;
+  return Neighbours(graph).CountComponents(without);
 }
 
 std::optional<std::vector<int>> FindSeparator(const Graph& graph, int size) {
   std::vector<int> chosen;
-  if (FindFrom(graph, 0, size, chosen)) return chosen;
+  if (Neighbours(graph).FindSeparator(0, size, chosen)) return chosen;
   return std::nullopt;
 }
 
