@@ -17,7 +17,8 @@ namespace {
 
 void Check(SLIP_info info) {
   if (info == SLIP_OK) return;
-  if (info == SLIP_SINGULAR) throw PreconditionError("SolveSparse: expected a regular matrix, got a singular one");
+  if (info == SLIP_SINGULAR)
+    throw PreconditionError("SolveSparse: expected a regular matrix, got a singular one");
   throw InvariantError("SLIP_LU answers " + std::to_string(static_cast<int>(info)));
 }
 
@@ -64,7 +65,8 @@ Rational FromMpq(mpq_srcptr value) {
 
 std::vector<std::vector<Rational>> SolveSparse(const std::vector<SparseEntry>& a,
                                                const std::vector<std::vector<long>>& b_columns) {
-  if (b_columns.empty() || b_columns.front().empty()) return std::vector<std::vector<Rational>>(b_columns.size());
+  if (b_columns.empty() || b_columns.front().empty())
+    return std::vector<std::vector<Rational>>(b_columns.size());
   const auto rows = static_cast<int64_t>(b_columns.front().size());
   std::vector<SparseEntry> entries = a;
   std::sort(entries.begin(), entries.end(), [](const SparseEntry& x, const SparseEntry& y) {
@@ -72,7 +74,8 @@ std::vector<std::vector<Rational>> SolveSparse(const std::vector<SparseEntry>& a
   });
   for (const SparseEntry& e : entries) {
     if (e.row < 0 || e.row >= rows || e.column < 0 || e.column >= rows)
-      throw PreconditionError("SolveSparse: expected entries within " + std::to_string(rows) + " rows and columns");
+      throw PreconditionError("SolveSparse: expected entries within " + std::to_string(rows) +
+                              " rows and columns");
   }
 
   const std::lock_guard<std::mutex> lock(SlipMutex());

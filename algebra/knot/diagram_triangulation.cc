@@ -16,7 +16,8 @@ bool RepeatsAVertex(Walk walk) {
 
 class Builder {
  public:
-  explicit Builder(const PData& p) : p_(p), first_(static_cast<size_t>(p.segments()) + 2) {
+  Builder(const PData& p, const std::vector<int>& more)
+      : p_(p), more_(more), first_(static_cast<size_t>(p.segments()) + 2) {
     intersection_.resize(static_cast<size_t>(p.columns()) + 1);
     for (int i = 1; i <= p.columns(); ++i) {
       if (p.sigma(i) > i) intersection_[At(i)] = intersection_[At(p.sigma(i))] = result_.vertices++;
@@ -43,7 +44,8 @@ class Builder {
     if (s > 1) result_.place.push_back(first_[At(s)]);
     result_.rope.push_back(s == 1 ? result_.vertices++ : intersection_[At(s - 1)]);
     const bool returns = s > 1 && s <= p_.columns() && p_.sigma(s) == s - 1;
-    for (int k = 0; k < (returns ? 2 : 1); ++k) result_.rope.push_back(result_.vertices++);
+    const int points = (returns ? 2 : 1) + (more_.empty() ? 0 : more_[At(s - 1)]);
+    for (int k = 0; k < points; ++k) result_.rope.push_back(result_.vertices++);
     first_[At(s) + 1] = static_cast<int>(result_.rope.size());
   }
 
@@ -61,7 +63,8 @@ class Builder {
 
   void FillFan(const Walk& walk) {
     const int center = result_.vertices++;
-    for (size_t i = 0; i < walk.size(); ++i) result_.triangles.push_back({walk[i], walk[(i + 1) % walk.size()], center});
+    for (size_t i = 0; i < walk.size(); ++i)
+      result_.triangles.push_back({walk[i], walk[(i + 1) % walk.size()], center});
   }
 
   std::vector<int> FillRing(const Walk& walk) {
@@ -76,6 +79,7 @@ class Builder {
   }
 
   const PData& p_;
+  const std::vector<int>& more_;
   DiagramTriangulation result_;
   std::vector<int> intersection_;  // the vertex of each column
   std::vector<int> first_;         // where each segment begins in the rope
@@ -83,13 +87,16 @@ class Builder {
 
 }  // namespace
 
-DiagramTriangulation TriangulateDiagram(const PData& p, int outer) {
+DiagramTriangulation TriangulateDiagram(const PData& p, int outer, const std::vector<int>& more) {
   if (const int genus = Genus(p); genus != 0)
-    throw PreconditionError("TriangulateDiagram: expected P-data of a sphere, got genus " + std::to_string(genus));
+    throw PreconditionError("TriangulateDiagram: expected P-data of a sphere, got genus " +
+                            std::to_string(genus));
   if (outer < 0 || outer > p.crossings())
-    throw PreconditionError("TriangulateDiagram: expected a face from 0 to " + std::to_string(p.crossings()) + ", got " +
-                            std::to_string(outer));
-  return Builder(p).Fill(outer);
+    throw PreconditionError("TriangulateDiagram: expected a face from 0 to " + std::to_string(p.crossings()) +
+                            ", got " + std::to_string(outer));
+  if (!more.empty() && more.size() != static_cast<size_t>(p.segments()))
+    throw PreconditionError("TriangulateDiagram: expected a number of points for each segment");
+  return Builder(p, more).Fill(outer);
 }
 
 int LongestFace(const Faces& faces) {

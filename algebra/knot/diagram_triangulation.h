@@ -24,14 +24,15 @@ struct DiagramTriangulation {
   int vertices = 0;                           // numbered from 0, those of the boundary last
   std::vector<std::array<int, 3>> triangles;  // counterclockwise
   std::vector<int> boundary;                  // the outer ring, clockwise
-  std::vector<int> rope;                      // the vertices that the rope runs through, from its selective end
-  std::vector<int> place;                     // of column i in `rope`, at index i - 1
+  std::vector<int> rope;   // the vertices that the rope runs through, from its selective end
+  std::vector<int> place;  // of column i in `rope`, at index i - 1
 
   bool OnBoundary(int vertex) const { return vertex >= vertices - static_cast<int>(boundary.size()); }
 };
 
-/// `outer` is a face of Faces(p), from 0.
-DiagramTriangulation TriangulateDiagram(const PData& p, int outer = 0);
+/// `outer` is a face of Faces(p), from 0. `more` are points on each segment beyond those of the model, at index segment - 1; none
+/// if it is empty.
+DiagramTriangulation TriangulateDiagram(const PData& p, int outer = 0, const std::vector<int>& more = {});
 
 /// The face with the longest walk, of equals the first: seen from outside, most of the diagram is on its rim.
 int LongestFace(const Faces& faces);

@@ -45,7 +45,8 @@ std::vector<GridPoint> ConvexPolygon(size_t corners) {
 // On a grid of 1 / 2^bits.
 std::vector<PlanePoint> Rounded(const std::vector<PlanePoint>& points, int bits) {
   const auto round = [&](const Rational& value) {
-    return Rational(algebra::Integer(std::llround(std::ldexp(ToDouble(value), bits))), algebra::Integer(1LL << bits));
+    return Rational(algebra::Integer(std::llround(std::ldexp(ToDouble(value), bits))),
+                    algebra::Integer(1LL << bits));
   };
   std::vector<PlanePoint> rounded;
   for (const PlanePoint& point : points) rounded.push_back({round(point.x), round(point.y)});
@@ -76,7 +77,8 @@ class Links {
 // How the lower strand goes from vertex `in` to vertex `out` round v: counterclockwise, through the edge of the upper strand between.
 class LowerStrand {
  public:
-  LowerStrand(const std::vector<PlanePoint>& points, const Links& links, int v) : points_(points), links_(links), v_(v) {}
+  LowerStrand(const std::vector<PlanePoint>& points, const Links& links, int v)
+      : points_(points), links_(links), v_(v) {}
 
   std::vector<PlanePoint> Round(int in, int out, std::array<int, 2> upper) const {
     std::vector<int> before, after;
@@ -159,7 +161,8 @@ Curve DrawExactly(const PData& p, int outer) {
     }
     const size_t mate = At(t.place[At(p.sigma(static_cast<int>(column))) - 1]);
     const LowerStrand strand(points, links, v);
-    for (const PlanePoint& point : strand.Round(t.rope[k - 1], t.rope[k + 1], {t.rope[mate - 1], t.rope[mate + 1]}))
+    for (const PlanePoint& point :
+         strand.Round(t.rope[k - 1], t.rope[k + 1], {t.rope[mate - 1], t.rope[mate + 1]}))
       curve.push_back({point.x, point.y, -1});
   }
   return curve;
