@@ -32,15 +32,26 @@ struct VerifyOptions {
   std::string directory = "report";
 };
 
-struct EnumerateOptions {
-  std::string world = "corner";  // enumerators::WorldNames
-  long long contacts = 7;        // in a relation, at most
-  bool json = false, csv = false;
+/// Of runs in units.
+struct UnitRunOptions {
+  bool json = false;
   std::string directory;             // of the run and its results; empty: nothing is kept
   std::optional<long long> threads;  // none: as many as there are cores
   std::string shard = "1/1";         // which part of the run: i/n
   std::vector<std::string> from;     // directories of the same run whose units are taken over
   bool yes = false;                  // however long it takes
+};
+
+struct EnumerateOptions : UnitRunOptions {
+  std::string world = "corner";  // enumerators::WorldNames
+  long long contacts = 7;        // in a relation, at most
+  bool csv = false;
+};
+
+struct PDataOptions : UnitRunOptions {
+  long long crossings = 6;
+  bool list = false;   // every code, instead of counts
+  bool codes = false;  // only how many codes there are, by transfer
 };
 
 struct MoveGraphOptions {
@@ -75,6 +86,8 @@ ExitStatus RunVerify(const VerifyOptions& options);
 ExitStatus RunEnumerateDofClasses(const EnumerateOptions& options);
 /// Steps between contact relations, and the DOF-transitions that solids show.
 ExitStatus RunEnumerateDofTransitions(const EnumerateOptions& options);
+/// Planar P-data counted by what they are, or all codes listed.
+ExitStatus RunEnumeratePData(const PDataOptions& options);
 /// The move graph of all P-data with few intersections.
 ExitStatus RunEnumerateMoves(const MoveGraphOptions& options);
 /// P-data in another notation.

@@ -87,6 +87,23 @@ constexpr const char* kDofTransitionsHelp =
     "\"witness\"}],...}\n"
     "Example: tact enumerate dof-transitions --world cube --contacts 5 -o transitions";
 
+constexpr const char* kPDataHelp =
+    "All planar P-data with N intersections, over and under forgotten: codes (who crosses whom, and which "
+    "way).\n"
+    "They are visited one by one, in an order that does not vary, and counted by what they are; how many "
+    "there\n"
+    "are is compared with a second method, which follows the rope and remembers only what is unexplored.\n"
+    "JSON: {\"crossings\",\"codes\",\"p_data\",\"pairings\",\"irreducible\":{\"codes\",\"p_data\"},\n"
+    "  \"up_to_reversal\",\"up_to_mirror\",\"up_to_both\",\"ends_on_one_face\"}: P-data are a code with each "
+    "choice\n"
+    "  of over and under, pairings forget the crossing signs too, up_to_ and ends_on_one_face are of codes.\n"
+    "With --list every code is printed, a line each: {\"sigma\":[mates],\"turn\":[+1: the other strand "
+    "passes from\n"
+    "right to left, -1]}. With --codes only the number of codes is found, by the second method: to 20.\n"
+    "Examples: tact enumerate p-data --crossings 8\n"
+    "          tact enumerate p-data --crossings 4 --list | head\n"
+    "          tact enumerate p-data --crossings 14 --codes";
+
 constexpr const char* kMovesHelp =
     "The move graph: all P-data of a sphere with at most so many intersections, as read off from one end,\n"
     "joined by the four movement primitives. Distances and classes are those of the graph: on the way there\n"
@@ -121,6 +138,7 @@ struct Request {
   VerifyOptions verify;
   EnumerateOptions classes;
   EnumerateOptions transitions;
+  PDataOptions p_data;
   MoveGraphOptions moves;
   std::function<ExitStatus()> run;
 };
@@ -164,7 +182,7 @@ void AddVerifyCommand(CLI::App& app, Request& request) {
 }
 
 // What every run in units takes.
-void AddRunOptions(CLI::App& parser, EnumerateOptions& options) {
+void AddRunOptions(CLI::App& parser, UnitRunOptions& options) {
   const CLI::Validator named(
       [](const std::string& folder) { return folder.empty() ? "expected a folder, got no name" : ""; }, "");
   parser.add_option("-o,--output", options.directory, "folder of the run and its results")->check(named);
@@ -190,6 +208,18 @@ void AddEnumeration(CLI::App& enumerate, Request& request, EnumerateOptions& opt
   parser->callback([&request, &options, run] { request.run = [&options, run] { return run(options); }; });
 }
 
+void AddPDataCommand(CLI::App& enumerate, Request& request) {
+  PDataOptions& options = request.p_data;
+  CLI::App* parser = enumerate.add_subcommand("p-data", "All planar P-data: counts, or every code");
+  parser->footer(kPDataHelp);
+  parser->add_option("--crossings", options.crossings, "intersections")->capture_default_str();
+  CLI::Option* json = parser->add_flag("--json", options.json, "answer in JSON");
+  CLI::Option* list = parser->add_flag("--list", options.list, "print every code")->excludes(json);
+  parser->add_flag("--codes", options.codes, "only how many codes there are")->excludes(list);
+  AddRunOptions(*parser, options);
+  parser->callback([&request] { request.run = [&request] { return RunEnumeratePData(request.p_data); }; });
+}
+
 void AddEnumerateCommand(CLI::App& app, Request& request) {
   CLI::App* parser =
       app.add_subcommand("enumerate", "All kinds of something, each with a count and a smallest witness");
@@ -207,6 +237,7 @@ void AddEnumerateCommand(CLI::App& app, Request& request) {
   AddEnumeration(*parser, request, request.transitions, "dof-transitions",
                  "Steps between contact relations, and the thirty DOF-transitions as solids that move",
                  kDofTransitionsHelp, RunEnumerateDofTransitions);
+  AddPDataCommand(*parser, request);
   CLI::App* moves = parser->add_subcommand("moves", "The move graph of all P-data with few intersections");
   moves->footer(kMovesHelp);
   moves->add_option("--crossings", request.moves.crossings, "intersections, at most")->capture_default_str();

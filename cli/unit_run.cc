@@ -99,7 +99,7 @@ std::string List(const std::vector<size_t>& numbers) {
 
 }  // namespace
 
-UnitRunner::UnitRunner(const EnumerateOptions& options) : options_(options) {
+UnitRunner::UnitRunner(const UnitRunOptions& options) : options_(options) {
   run_options_.shard = ReadShard(options.shard);
   run_options_.threads = options.threads ? ReadThreads(*options.threads) : Cores();
   if (run_options_.shard.count > 1 && options.directory.empty())

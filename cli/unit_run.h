@@ -24,7 +24,7 @@ struct RunCost {
 class UnitRunner {
  public:
   /// Checks the arguments and the folder; nothing is written yet.
-  explicit UnitRunner(const EnumerateOptions& options);
+  explicit UnitRunner(const UnitRunOptions& options);
 
   /// Computes what is missing of the shard and calls take(unit, text) for every unit if all are there: true. Otherwise
   /// says on standard output which shards are missing: false.
@@ -40,7 +40,7 @@ class UnitRunner {
   void TellCost(const RunCost& cost) const;
   void TellMissing(const enumerators::UnitRun& run, const std::vector<size_t>& missing) const;
 
-  const EnumerateOptions& options_;
+  const UnitRunOptions& options_;
   enumerators::RunOptions run_options_;
 };
 

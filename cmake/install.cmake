@@ -14,7 +14,8 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/tactConfig.cmake.in
   ${PROJECT_BINARY_DIR}/tactConfig.cmake INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/tactConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/tactConfig.cmake ${PROJECT_BINARY_DIR}/tactConfigVersion.cmake
-  ${CMAKE_CURRENT_LIST_DIR}/FindGMP.cmake DESTINATION ${package_dir} COMPONENT development)
+  ${CMAKE_CURRENT_LIST_DIR}/FindGMP.cmake ${CMAKE_CURRENT_LIST_DIR}/FindSlipLu.cmake
+  DESTINATION ${package_dir} COMPONENT development)
 
 foreach(program tact_cli tact-check)
   if(TARGET ${program})

@@ -227,7 +227,7 @@ TEST(BadInput, TolerancesThatMeanNothingAreRefused) {
 TEST(BadInput, CommandsAndOptionsThatAreNoneAreNamed) {
   ExpectRefused(
       {"enumerate", "dof-clases"},
-      "expected what to enumerate, one of dof-classes, dof-transitions, moves, got 'dof-clases'; tact "
+      "expected what to enumerate, one of dof-classes, dof-transitions, p-data, moves, got 'dof-clases'; tact "
       "enumerate --help says "
       "more");
   ExpectRefused({"frobnicate"},
