@@ -61,7 +61,8 @@ struct MoveGraphOptions {
 
 /// Of the commands `tact knot ...`; each uses some.
 struct KnotOptions {
-  std::vector<std::string> inputs;       // P-data: files or texts
+  std::vector<std::string> inputs;       // P-data or curves: files, examples or texts
+  std::string view = "0,0,1";            // from where curves are seen: "X,Y,Z" or "auto"
   std::string move;                      // apply: in JSON
   std::string to = "rows";               // convert: the form that is written
   std::string close;                     // convert: "over" or "under"; empty: the rope stays open

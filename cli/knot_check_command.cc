@@ -3,10 +3,10 @@
 #include "algebra/knot/closure.h"
 #include "algebra/knot/reducible.h"
 #include "cli/commands.h"
+#include "cli/knot_inputs.h"
 #include "cli/knot_print.h"
 #include "cli/output.h"
 #include "cli/text_pieces.h"
-#include "robot/input/knot_text.h"
 
 namespace tact::cli {
 namespace {
@@ -84,7 +84,7 @@ std::string AsJson(const knot::PData& p, const Findings& found) {
 }  // namespace
 
 ExitStatus RunKnotCheck(const KnotOptions& options) {
-  const knot::PData p = input::ReadPData(options.inputs[0]);
+  const knot::PData p = ReadKnots(options)[0];
   const Findings found = Examine(p);
   Output output;
   output << (options.json ? AsJson(p, found) : ForPeople(p, found));

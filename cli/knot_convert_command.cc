@@ -3,10 +3,10 @@
 #include "algebra/knot/pd_code.h"
 #include "cli/commands.h"
 #include "cli/json_text.h"
+#include "cli/knot_inputs.h"
 #include "cli/knot_print.h"
 #include "cli/output.h"
 #include "cli/text_pieces.h"
-#include "robot/input/knot_text.h"
 
 namespace tact::cli {
 namespace {
@@ -32,7 +32,7 @@ Converted Convert(const KnotOptions& options) {
   if (!options.close.empty() && options.close != "over" && options.close != "under")
     throw InputError("--close: expected over or under, got \"" + options.close + "\"");
   const bool dt = options.to == "dt", joins = dt || !options.close.empty();
-  knot::PData p = joins ? input::ReadPlanarPData(options.inputs[0]) : input::ReadPData(options.inputs[0]);
+  knot::PData p = (joins ? ReadPlanarKnots(options) : ReadKnots(options))[0];
   Converted converted;
   if (joins) {
     if (options.close.empty() && !knot::EndsOnOneFace(p))

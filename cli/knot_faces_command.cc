@@ -1,5 +1,6 @@
 #include "algebra/knot/faces.h"
 #include "cli/commands.h"
+#include "cli/knot_inputs.h"
 #include "cli/knot_print.h"
 #include "cli/output.h"
 #include "cli/text_pieces.h"
@@ -39,7 +40,7 @@ std::string AsJson(const knot::PData& p, const knot::Faces& faces) {
 }  // namespace
 
 ExitStatus RunKnotFaces(const KnotOptions& options) {
-  const knot::PData p = input::ReadPData(options.inputs[0]);
+  const knot::PData p = ReadKnots(options)[0];
   const knot::Faces faces(p);
   if (const auto handle = input::FindHandle(p)) Note(*handle);
   Output output;

@@ -1,11 +1,11 @@
 #include "algebra/error.h"
 #include "algebra/knot/faces.h"
 #include "cli/commands.h"
+#include "cli/knot_inputs.h"
 #include "cli/knot_print.h"
 #include "cli/output.h"
 #include "cli/text_pieces.h"
 #include "robot/input/knot_move_text.h"
-#include "robot/input/knot_text.h"
 
 namespace tact::cli {
 
@@ -31,11 +31,12 @@ void RefuseTooMany(const knot::PData& a) {
 }  // namespace
 
 ExitStatus RunKnotMoves(const KnotOptions& options) {
-  const knot::PData a = input::ReadPlanarPData(options.inputs[0]);
-  const bool transition = options.inputs.size() == 2;
+  const std::vector<knot::PData> knots = ReadPlanarKnots(options);
+  const knot::PData& a = knots[0];
+  const bool transition = knots.size() == 2;
   std::vector<knot::Explanation> moves;
   if (transition) {
-    moves = ExplainTransition(a, input::ReadPlanarPData(options.inputs[1]));
+    moves = ExplainTransition(a, knots[1]);
   } else {
     RefuseTooMany(a);
     for (const knot::Move& move : AllMoves(a)) moves.push_back({move});

@@ -7,7 +7,8 @@ namespace tact::cli {
 namespace {
 
 constexpr const char* kKnotHelp =
-    "P-DATA is a file, - for standard input, or the text itself, in any of these forms:\n"
+    "P-DATA is a file, - for standard input, the name of an example, or the text itself, in any of these "
+    "forms:\n"
     "  4 5 6 1 2 3 / 3 4 3 4 3 4                     the thesis' three rows or the last two, on lines or "
     "between /\n"
     "  {\"sigma\":[4,5,6,1,2,3],\"attr\":[3,4,3,4,3,4]}\n"
@@ -15,6 +16,9 @@ constexpr const char* kKnotHelp =
     "  1 -2 3 -1 2 -3 +++                            the same: numbers, negative under, then the signs\n"
     "  PD[X[3,1,4,0],X[1,5,2,4],X[5,3,6,2]]          a PD code of an open rope, arcs 0..n\n"
     "  /                                             the straight rope\n"
+    "  0 0 0                                         points of a rope in space, x y z, each on a line of its "
+    "own;\n"
+    "  1 0 1/2                                       --- on a line begins another curve (recognize)\n"
     "Attributes: 1 over/-, 2 under/-, 3 over/+, 4 under/+; + where the upper strand passes from left to "
     "right "
     "of the\n"
@@ -33,6 +37,9 @@ class Maker {
     app_.add_flag("--json", options_->json, "answer in JSON");
   }
   CLI::Option* Inputs(const char* name, const char* what) {
+    app_.add_option("--view", options_->view,
+                    "from where curves are seen: X,Y,Z, or auto, where they have the fewest intersections")
+        ->capture_default_str();
     return app_.add_option(name, options_->inputs, what)->required();
   }
   template <typename T>
@@ -97,13 +104,12 @@ void AddKnotCommand(CLI::App& app, std::function<ExitStatus()>& run) {
     make.Option("MOVE", &KnotOptions::move, "the move, in JSON")->required();
   }
   {
-    Maker make(
-        knot, run, "recognize", "Movement primitives of a sequence of P-data",
-        "A file with a P-data in JSON a line, or many files or texts. Where a P-data was read off from the "
-        "wrong end\n"
-        "of the rope, that is found out and said.\n"
-        "Example: tact knot recognize examples/knots/overhand_tied.jsonl",
-        RunKnotRecognize);
+    Maker make(knot, run, "recognize", "Movement primitives of a sequence of P-data",
+               "A file with a P-data in JSON a line or with many curves, or many files or texts. Where a "
+               "P-data was read "
+               "off from\nthe wrong end of the rope, that is found out and said.\n"
+               "Example: tact knot recognize examples/knots/overhand_tied.jsonl",
+               RunKnotRecognize);
     make.Inputs("P-DATA", "the sequence");
   }
   {

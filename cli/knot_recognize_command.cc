@@ -1,10 +1,9 @@
-#include "algebra/error.h"
 #include "cli/commands.h"
+#include "cli/knot_inputs.h"
 #include "cli/knot_print.h"
 #include "cli/output.h"
 #include "cli/text_pieces.h"
 #include "robot/input/knot_move_text.h"
-#include "robot/input/knot_text.h"
 #include "robot/recognition/knot_recognition.h"
 
 namespace tact::cli {
@@ -12,29 +11,6 @@ namespace {
 
 using knot::PData;
 using recognition::EndRead;
-
-void AddPData(PData p, const std::string& where, std::vector<PData>& sequence) {
-  if (const auto handle = input::FindHandle(p)) throw InputError(where + ": " + *handle);
-  sequence.push_back(std::move(p));
-}
-
-// A text whose lines are JSON objects holds a P-data a line; any other text holds one.
-void ReadSequence(const std::string& argument, std::vector<PData>& sequence) {
-  const input::NamedText named = input::FindKnotText(argument);
-  const size_t first = named.text.find_first_not_of(" \t\r\n");
-  if (first == std::string::npos || named.text[first] != '{')
-    return AddPData(input::ParsePData(named.text, named.source), named.source, sequence);
-  size_t line = 0;
-  for (size_t at = 0; at < named.text.size();) {
-    const size_t end = std::min(named.text.find('\n', at), named.text.size());
-    const std::string text = named.text.substr(at, end - at);
-    at = end + 1;
-    ++line;
-    if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
-    AddPData(input::ParsePData(text, named.source, line), named.source + ":" + std::to_string(line),
-             sequence);
-  }
-}
 
 const char* NameOf(EndRead end) {
   return end == EndRead::kSwapped ? "swapped" : end == EndRead::kEither ? "either" : "as given";
@@ -77,8 +53,7 @@ std::string ToText(const std::vector<PData>& sequence, const recognition::KnotRe
 }  // namespace
 
 ExitStatus RunKnotRecognize(const KnotOptions& options) {
-  std::vector<PData> sequence;
-  for (const std::string& argument : options.inputs) ReadSequence(argument, sequence);
+  const std::vector<PData> sequence = ReadPlanarKnotSequence(options);
   const auto recognized = recognition::RecognizeKnot(sequence);
   Output output;
   output << (options.json ? ToJson(sequence, recognized) : ToText(sequence, recognized));

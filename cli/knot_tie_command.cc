@@ -2,12 +2,11 @@
 #include <sstream>
 
 #include "algebra/error.h"
-#include "algebra/knot/faces.h"
 #include "cli/commands.h"
+#include "cli/knot_inputs.h"
 #include "cli/output.h"
 #include "cli/tying_page.h"
 #include "cli/tying_text.h"
-#include "robot/input/knot_text.h"
 
 namespace tact::cli {
 namespace {
@@ -55,11 +54,7 @@ ExitStatus RunKnotTie(const KnotOptions& options) {
     if (std::chrono::steady_clock::now() - start < std::chrono::seconds(1)) return;
     Note("trying " + std::to_string(length) + " steps, " + std::to_string(states) + " P-data so far");
   };
-  const knot::PData knot = input::ReadPData(options.inputs.front());
-  if (const int genus = knot::Genus(knot); genus != 0) {
-    throw InputError(options.inputs.front() + ": expected P-data that a sphere holds, got genus " +
-                     std::to_string(genus));
-  }
+  const knot::PData knot = ReadPlanarKnots(options)[0];
   const knot::Tying tying = TieShortest(knot, tying_options);
   if (!options.output.empty()) WriteTyingFolder(tying, options.inputs.front(), options.output);
   Output out;

@@ -5,8 +5,10 @@
 #include <sstream>
 
 #include "algebra/knot/faces.h"
+#include "robot/input/curve_text.h"
 #include "robot/input/gauss_text.h"
 #include "robot/input/json_stream.h"
+#include "robot/input/knot_examples.h"
 #include "robot/input/pd_text.h"
 #include "robot/input/text_token.h"
 
@@ -103,22 +105,14 @@ knot::PData ParseRows(const SourceText& text) {
   return knot::PData(sigma, attr);
 }
 
-// Three fields on the first line that is no comment, and nothing but numbers in them.
-bool LooksLikeCurve(std::string_view text) {
-  std::istringstream lines{std::string(text)};
-  std::string line;
-  while (std::getline(lines, line)) {
-    const SourceText source{line, "", 1};
-    const auto words = WordsOf(source, "", ",;");
-    if (words.empty() || words[0].text[0] == '#') continue;
-    return words.size() == 3 && std::all_of(words.begin(), words.end(), [](const Word& word) {
-             const bool digits = word.text.find_first_of("0123456789") != std::string_view::npos;
-             return word.text.find_first_not_of("+-.0123456789eE/") == std::string_view::npos
-                        ? digits
-                        : word.text.find_first_not_of("+-naifNAIFtyTY") == std::string_view::npos;
-           });
-  }
-  return false;
+knot::PData ParseCurve(const SourceText& text) {
+  const std::vector<CurveText> curves = ParseCurves(text);
+  if (curves.size() > 1)
+    text.Fail(curves[1].offsets[0], "expected one curve, got " + std::to_string(curves.size()));
+  auto projection = knot::ProjectCurve(curves[0].points, knot::ViewFromAbove());
+  if (const auto* fault = std::get_if<knot::CurveFault>(&projection))
+    FailAtFault(text, curves[0], *fault, knot::ViewFromAbove());
+  return std::get<knot::CurveProjection>(std::move(projection)).p;
 }
 
 // Whether an argument that names nothing was meant as P-data, with a mistake in it or not.
@@ -141,6 +135,7 @@ knot::PData ParsePData(std::string_view text, const std::string& source, size_t 
   const SourceText whole{text, source, first_line};
   const size_t start = text.find_first_not_of(kBlanks);
   if (start == std::string_view::npos) whole.Fail(0, "expected P-data, got an empty text");
+  if (LooksLikeCurve(whole)) return ParseCurve(whole);
   const std::string_view rest = text.substr(start);
   const size_t second = rest.find_first_not_of(kBlanks, 1);
   const bool braced_numbers = second != std::string_view::npos &&
@@ -149,7 +144,6 @@ knot::PData ParsePData(std::string_view text, const std::string& source, size_t 
   if (rest[0] == '/' && rest.find_first_not_of(kBlanks, 1) == std::string_view::npos) return {};
   if (LooksLikePd(rest)) return ParsePd(whole);
   if (LooksLikeLetteredGauss(rest)) return ParseLetteredGauss(whole);
-  if (LooksLikeCurve(rest)) whole.Fail(start, "expected P-data, got points of a curve in space");
   if (LooksLikeNumberedGauss(whole)) return ParseNumberedGauss(whole);
   return ParseRows(whole);
 }
@@ -164,8 +158,10 @@ NamedText FindKnotText(const std::string& argument) {
     if (file.stream().bad()) throw InputError(file.name() + ": expected a readable file, got an error in it");
     return {text.str(), file.name()};
   }
+  if (const auto example = FindKnotExample(argument)) return {std::string(example->text), example->source};
   if (!LooksLikeText(argument)) {
-    throw InputError(Quote(argument) + ": expected a file or P-data, got neither");
+    throw InputError(Quote(argument) + ": expected a file, P-data or one of the examples (" +
+                     KnotExampleNames() + "), got none of these");
   }
   return {argument, "<argument>"};
 }

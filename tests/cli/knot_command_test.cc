@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "robot/input/knot_examples.h"
 #include "tests/cli/run_program.h"
 
 namespace tact::cli {
@@ -194,7 +195,8 @@ TEST(KnotCommand, RefusesWithAReason) {
                 "MOVE: expected a segment from 1 to 3, got 9");
   ExpectRefused({"knot", "check", "4 5 6 / 1 2 3"},
                 "<argument>:1:1: expected two columns for each intersection, got 3");
-  ExpectRefused({"knot", "check", "granny"}, "\"granny\": expected a file or P-data, got neither");
+  ExpectRefused({"knot", "check", "granny"}, "\"granny\": expected a file, P-data or one of the examples (" +
+                                                 input::KnotExampleNames() + "), got none of these");
 }
 
 TEST(KnotCommand, ReadsFilesAndStandardInput) {

@@ -89,7 +89,7 @@ TEST(KnotTie, BadInputIsRefusedWithWhatWasExpected) {
     EXPECT_EQ(answer.out, "");
     EXPECT_NE(answer.err.find(why), std::string::npos) << answer.err;
   };
-  refused({R"({"sigma":[3,4,1,2],"attr":[3,3,4,4]})"}, "got genus 1");
+  refused({R"({"sigma":[3,4,1,2],"attr":[3,3,4,4]})"}, ": genus 1");
   refused({kOverhand, "--moves", "R1,R4"}, "got 'R4'");
   refused({kOverhand, "--moves", ""}, "got");
   refused({kOverhand, "--hold", "left"}, "got 'left'");

@@ -5,6 +5,7 @@
 #include "algebra/error.h"
 #include "algebra/knot/gauss_code.h"
 #include "algebra/knot/pd_code.h"
+#include "robot/input/knot_examples.h"
 #include "tests/algebra/knot/p_data_world.h"
 
 namespace tact::input {
@@ -85,8 +86,9 @@ TEST(KnotText, AnArgumentThatIsNeitherFileNorTextSaysSo) {
       ReadPData(argument);
       ADD_FAILURE() << "accepted " << argument;
     } catch (const InputError& error) {
-      EXPECT_EQ(std::string(error.what()),
-                "\"" + std::string(argument) + "\": expected a file or P-data, got neither");
+      EXPECT_EQ(std::string(error.what()), "\"" + std::string(argument) +
+                                               "\": expected a file, P-data or one of the examples (" +
+                                               KnotExampleNames() + "), got none of these");
     }
   }
   EXPECT_EQ(ReadPData("2 1 / 3 4").columns(), 2);
@@ -105,15 +107,6 @@ TEST(KnotText, LinesAreCountedFromTheGivenOne) {
     EXPECT_EQ(std::string(error.what()), "text:8:3: expected a whole number, got \"x\"");
   }
   EXPECT_EQ(Refusal("  "), "text:1:1: expected P-data, got an empty text");
-}
-
-TEST(KnotText, ACurveIsNamedAsOne) {
-  try {
-    ParsePData("0 0 0\n1 0 0\n1 1 0.5\n", "rope.xyz");
-    ADD_FAILURE() << "accepted";
-  } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "rope.xyz:1:1: expected P-data, got points of a curve in space");
-  }
 }
 
 }  // namespace
