@@ -66,7 +66,10 @@ struct KnotOptions {
   std::string move;                      // apply: in JSON
   std::string to = "rows";               // convert: the form that is written
   std::string close;                     // convert: "over" or "under"; empty: the rope stays open
-  std::string output;                    // tie: a folder
+  std::string output;                    // tie: a folder; draw: a picture
+  std::optional<long long> outer;        // draw: the face outside, from 1
+  bool exact = false, labels = false;    // draw
+  std::string certificate;               // draw: a file
   std::string moves = "R1,R2,R3,Cross";  // tie: what may be used
   std::string hold;                // tie: "selective" or "other", the end that does not cross; empty: neither
   std::optional<long long> limit;  // tie: steps at most
@@ -101,6 +104,8 @@ ExitStatus RunKnotFaces(const KnotOptions& options);
 ExitStatus RunKnotMoves(const KnotOptions& options);
 /// What a move makes of a P-data.
 ExitStatus RunKnotApply(const KnotOptions& options);
+/// A picture of a rope.
+ExitStatus RunKnotDraw(const KnotOptions& options);
 /// Movement primitives of a sequence of P-data.
 ExitStatus RunKnotRecognize(const KnotOptions& options);
 /// A shortest sequence of movement primitives that ties a knot.

@@ -42,6 +42,9 @@ class Maker {
         ->capture_default_str();
     return app_.add_option(name, options_->inputs, what)->required();
   }
+  CLI::Option* Flag(const char* name, bool KnotOptions::*member, const char* what) {
+    return app_.add_flag(name, (*options_).*member, what);
+  }
   template <typename T>
   CLI::Option* Option(const char* name, T KnotOptions::*member, const char* what) {
     return app_.add_option(name, (*options_).*member, what);
@@ -102,6 +105,25 @@ void AddKnotCommand(CLI::App& app, std::function<ExitStatus()>& run) {
         RunKnotApply);
     make.Inputs("P-DATA", "A")->expected(1)->allow_extra_args(false);
     make.Option("MOVE", &KnotOptions::move, "the move, in JSON")->required();
+  }
+  {
+    Maker make(knot, run, "draw", "A picture of a rope, as SVG or PNG",
+               "The selective end is a dot, the other an arrowhead; colours run from blue to red along the "
+               "rope. The drawing\n"
+               "is read back before it is shown. --json and --certificate give the exact drawing: the points "
+               "of a rope in\n"
+               "space, [X,Y,Z,W] for (X,Y,Z)/W, which seen along z is the P-data; tact-check reads it back.\n"
+               "Examples: tact knot draw figure_eight -o figure_eight.png --labels\n"
+               "          tact knot draw '2 1 / 3 4' --certificate loop.json",
+               RunKnotDraw);
+    make.Inputs("P-DATA", "what is drawn")->expected(1);
+    make.Option("-o,--output", &KnotOptions::output,
+                "FILE.svg or FILE.png; SVG on standard output if not given");
+    make.Option("--outer", &KnotOptions::outer,
+                "the face outside, counted as tact knot faces does; the longest if not given");
+    make.Flag("--exact", &KnotOptions::exact, "draw the exact drawing's straight edges");
+    make.Flag("--labels", &KnotOptions::labels, "number the segments and the columns of intersections");
+    make.Option("--certificate", &KnotOptions::certificate, "file for the exact drawing");
   }
   {
     Maker make(knot, run, "recognize", "Movement primitives of a sequence of P-data",

@@ -5,6 +5,7 @@
 #include "cli/tying_text.h"
 #include "enumerators/whole_file.h"
 #include "provers/report/html.h"
+#include "provers/report/knot_drawing.h"
 #include "provers/report/text.h"
 
 namespace tact::cli {
@@ -14,6 +15,22 @@ std::string Row(const std::vector<int>& numbers) {
   std::string text;
   for (const int number : numbers) text += (text.empty() ? "" : " ") + std::to_string(number);
   return text;
+}
+
+// The straight rope, then the rope after each step.
+std::string Drawings(const knot::Tying& tying) {
+  const auto drawing = [](const knot::PData& p, const std::string& caption, size_t step) {
+    provers::KnotDrawingOptions options;
+    options.size = 260;
+    options.title = caption;
+    return provers::FigureHtml({caption, provers::KnotSvg(p, options)}, "step" + std::to_string(step));
+  };
+  std::string html = drawing(knot::PData(), "The straight rope", 0);
+  for (size_t k = 0; k < tying.steps.size(); ++k) {
+    const std::string caption = "Step " + std::to_string(k + 1) + ": " + MoveInWords(tying.steps[k].move);
+    html += drawing(tying.steps[k].reached, caption, k + 1);
+  }
+  return html;
 }
 
 std::string Page(const knot::Tying& tying, const std::string& name) {
@@ -29,7 +46,7 @@ std::string Page(const knot::Tying& tying, const std::string& name) {
                           Row(reached.SigmaRow()), Row(reached.AttrRow())});
   }
   return provers::PageHtml(title, "<h1>" + provers::Escape(title) + "</h1><p>" +
-                                      provers::Escape(TyingSummary(tying)) + ".</p>" +
+                                      provers::Escape(TyingSummary(tying)) + ".</p>" + Drawings(tying) +
                                       provers::TableHtml(table));
 }
 

@@ -4,6 +4,7 @@
 
 #include "algebra/cone/complementary_pair.h"
 #include "algebra/error.h"
+#include "provers/point_json.h"
 
 namespace tact::provers {
 namespace {
@@ -15,17 +16,9 @@ using algebra::Rational;
 using algebra::Vector3;
 using Json = nlohmann::ordered_json;
 
-// Integers beyond 2^53 travel as strings.
-Json ToJson(const Integer& value) {
-  constexpr int64_t kLargestNumber = int64_t{1} << 53;
-  if (value.is_small() && value.small() <= kLargestNumber && value.small() >= -kLargestNumber)
-    return value.small();
-  return value.ToString();
-}
-
 Json ToJson(const std::vector<Integer>& values) {
   Json list = Json::array();
-  for (const Integer& v : values) list.push_back(ToJson(v));
+  for (const Integer& v : values) list.push_back(WholeJson(v));
   return list;
 }
 
@@ -34,23 +27,10 @@ Json NormalToJson(const Vector3& normal) {
   return ToJson(std::vector<Integer>{n.x.numerator(), n.y.numerator(), n.z.numerator()});
 }
 
-// The positive least common denominator of a point's entries.
-Integer Denominator(const Vector3& p) {
-  Integer w(1);
-  for (int i = 0; i < 3; ++i) w *= DivideExactly(p[i].denominator(), Gcd(w, p[i].denominator()));
-  return w;
-}
-
-Json PointToJson(const Vector3& p) {
-  const Integer w = Denominator(p);
-  const Vector3 scaled = Rational(w) * p;
-  return ToJson(std::vector<Integer>{scaled.x.numerator(), scaled.y.numerator(), scaled.z.numerator(), w});
-}
-
 // [ (X,Y,Z) x n | W n ] of the point and the normal as written: y depends on the length of each row, so that the
 // primitive rows of the engines will not do.
 std::vector<Integer> WrittenRow(const Vector3& point, const Vector3& normal) {
-  const Rational w(Denominator(point));
+  const Rational w(CommonDenominator(point));
   const Vector3 n = Primitive(normal), torque = Cross(w * point, n), force = w * n;
   return {torque.x.numerator(), torque.y.numerator(), torque.z.numerator(),
           force.x.numerator(),  force.y.numerator(),  force.z.numerator()};
@@ -90,7 +70,7 @@ Json PairToJson(const std::vector<Integer>& rows, int columns) {
 Json ContactsToJson(const std::vector<algebra::Contact>& contacts) {
   Json list = Json::array();
   for (const algebra::Contact& contact : contacts) {
-    Json entry{{"point", PointToJson(contact.point)}, {"planes", PlanesToJson(contact.planes)}};
+    Json entry{{"point", PointJson(contact.point)}, {"planes", PlanesToJson(contact.planes)}};
     if (!contact.name.empty()) entry["name"] = contact.name;
     list.push_back(entry);
   }
@@ -250,7 +230,7 @@ Certificate BasisCertificate(const std::string& name, const std::string& claim,
 Certificate IllReducedEdgeCertificate(const std::string& name, const std::string& claim,
                                       const IllReducedEdge& edge) {
   Json certificate = Head(claim, "ill-reduced-singular");
-  certificate["ends"] = Json::array({PointToJson(edge.first), PointToJson(edge.second)});
+  certificate["ends"] = Json::array({PointJson(edge.first), PointJson(edge.second)});
   certificate["planes"] = PlanesToJson(edge.planes);
   certificate["motion"] = ToJson(edge.motion);
   certificate["between"] = Json::array({edge.s, edge.t});

@@ -1,6 +1,7 @@
 #include "provers/knot_certificate.h"
 
 #include "provers/knot_json.h"
+#include "provers/point_json.h"
 #include "robot/input/knot_move_text.h"
 
 namespace tact::provers {
@@ -41,6 +42,15 @@ Certificate KnotTyingCertificate(const std::string& name, const std::string& cla
     json["moves"].push_back(MoveJson(step.move));
   }
   if (at_least > 0) json["at_least"] = at_least;
+  return {name, json.dump() + "\n"};
+}
+
+Certificate KnotDrawingCertificate(const std::string& name, const std::string& claim, const PData& p,
+                                   const knot::Curve& curve) {
+  Json json = CertificateHead(claim, "knot-drawing");
+  json["p_data"] = CodeJson(p);
+  json["points"] = Json::array();
+  for (const algebra::Vector3& point : curve) json["points"].push_back(PointJson(point));
   return {name, json.dump() + "\n"};
 }
 

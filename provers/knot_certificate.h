@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "algebra/knot/curve_projection.h"
 #include "algebra/knot/move.h"
 #include "algebra/knot/thesis_rules.h"
 #include "algebra/knot/tying.h"
@@ -19,6 +20,10 @@ Certificate KnotMoveCertificate(const std::string& name, const std::string& clai
 /// A knot tied from the straight rope; at_least: so many steps are needed, by the bound of tying_bound.h; 0: not claimed.
 Certificate KnotTyingCertificate(const std::string& name, const std::string& claim,
                                  const std::vector<knot::TyingStep>& steps, int at_least = 0);
+
+/// A curve whose projection from above is the P-data (algebra/knot/exact_drawing.h makes one).
+Certificate KnotDrawingCertificate(const std::string& name, const std::string& claim, const knot::PData& p,
+                                   const knot::Curve& curve);
 
 /// The rule for R_II or R_III in one reading, as JSON.
 std::string RuleText(const knot::thesis::R2Reading& reading);

@@ -8,6 +8,7 @@
 #include "algebra/contact/path_separation.h"
 #include "algebra/error.h"
 #include "algebra/solid/convex_hull.h"
+#include "provers/point_json.h"
 
 namespace tact::provers {
 namespace {
@@ -22,37 +23,23 @@ using algebra::Scene;
 using algebra::Vector3;
 using Json = nlohmann::ordered_json;
 
-// Digits are integers of any size to the checker.
-Json Whole(const algebra::Integer& value) {
-  constexpr int64_t kLargestNumber = int64_t{1} << 53;
-  if (value.is_small() && value.small() <= kLargestNumber && value.small() >= -kLargestNumber)
-    return value.small();
-  return value.ToString();
+Json FractionToJson(const Rational& s) {
+  return Json::array({WholeJson(s.numerator()), WholeJson(s.denominator())});
 }
-
-Json PointToJson(const Vector3& p) {
-  algebra::Integer w(1);
-  for (int i = 0; i < 3; ++i) w *= DivideExactly(p[i].denominator(), Gcd(w, p[i].denominator()));
-  const Vector3 scaled = Rational(w) * p;
-  return Json::array(
-      {Whole(scaled.x.numerator()), Whole(scaled.y.numerator()), Whole(scaled.z.numerator()), Whole(w)});
-}
-
-Json FractionToJson(const Rational& s) { return Json::array({Whole(s.numerator()), Whole(s.denominator())}); }
 
 Json PiecesToJson(const std::vector<PolygonSoup>& hulls) {
   Json list = Json::array();
   for (const PolygonSoup& hull : hulls) {
     Json corners = Json::array();
-    for (const Vector3& p : hull.points) corners.push_back(PointToJson(p));
+    for (const Vector3& p : hull.points) corners.push_back(PointJson(p));
     list.push_back(corners);
   }
   return list;
 }
 
 Json PathToJson(const algebra::MotionPath& path) {
-  if (path.kind == algebra::MotionPath::Kind::kLine) return Json{{"line", PointToJson(path.vector)}};
-  return Json{{"rotation", {{"point", PointToJson(path.center)}, {"axis", PointToJson(path.vector)}}}};
+  if (path.kind == algebra::MotionPath::Kind::kLine) return Json{{"line", PointJson(path.vector)}};
+  return Json{{"rotation", {{"point", PointJson(path.center)}, {"axis", PointJson(path.vector)}}}};
 }
 
 Json PlaneToJson(const PathPlane& plane) {
@@ -64,7 +51,7 @@ Json PlaneToJson(const PathPlane& plane) {
   } else {
     const Vector3 n = Primitive(plane.normal);
     json[carried ? "carried" : "normal"] =
-        Json::array({Whole(n.x.numerator()), Whole(n.y.numerator()), Whole(n.z.numerator())});
+        Json::array({WholeJson(n.x.numerator()), WholeJson(n.y.numerator()), WholeJson(n.z.numerator())});
   }
   return json;
 }

@@ -9,7 +9,7 @@
 namespace tact::check {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, void (*)(const Value&)>, 13> kKinds = {{
+constexpr std::array<std::pair<std::string_view, void (*)(const Value&)>, 14> kKinds = {{
     {"motion-dofs", CheckMotionDofs},
     {"transitions", CheckTransitions},
     {"basis", CheckBasis},
@@ -19,6 +19,7 @@ constexpr std::array<std::pair<std::string_view, void (*)(const Value&)>, 13> kK
     {"knot-move", CheckKnotMove},
     {"knot-rule", CheckKnotRule},
     {"knot-tying", CheckKnotTying},
+    {"knot-drawing", CheckKnotDrawing},
     {"knot-embedding", CheckKnotEmbedding},
     {"knot-face-search", CheckKnotFaceSearch},
     {"knot-parts", CheckKnotParts},

@@ -35,6 +35,8 @@ void CheckKnotMove(const Value& certificate);
 /// A pair of codes on which a rule of the thesis misses a move or accepts where there is none.
 void CheckKnotRule(const Value& certificate);
 void CheckKnotTying(const Value& certificate);
+/// A rope's curve in space, seen along z.
+void CheckKnotDrawing(const Value& certificate);
 /// A second drawing of a knot graph on a sphere.
 void CheckKnotEmbedding(const Value& certificate);
 /// P-data on which the thesis' search for faces goes wrong.
