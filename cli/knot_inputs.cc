@@ -13,11 +13,9 @@ using input::KnotSequence;
 KnotSequence Read(const KnotOptions& options) {
   KnotSequence sequence = input::ReadKnotSequence(options.inputs, input::ParseView(options.view, "--view"));
   if (const auto& chosen = sequence.chosen) {
-    int intersections = 0;
-    for (const auto& projection : chosen->projections) intersections += projection.p.crossings();
-    Note("--view auto: seen from " + ToString(chosen->view) + ", " + Counted(intersections, "intersection") +
-         ", the fewest of " + Counted(chosen->views, "view") + "; " + std::to_string(chosen->faulty_views) +
-         " of them cannot be used");
+    Note("--view auto: seen from " + ToString(chosen->view) + ", " +
+         Counted(chosen->Intersections(), "intersection") + ", the fewest of " +
+         std::to_string(chosen->views) + " views");
   }
   return sequence;
 }

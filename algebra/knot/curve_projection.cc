@@ -24,7 +24,8 @@ struct Passage {
 
 class Finder {
  public:
-  explicit Finder(std::vector<SeenEdge> edges) : edges_(std::move(edges)) {}
+  Finder(std::vector<SeenEdge> edges, int most_intersections)
+      : edges_(std::move(edges)), most_passages_(2 * static_cast<size_t>(most_intersections)) {}
 
   std::variant<CurveProjection, CurveFault> Run() {
     std::vector<int> order(edges_.size());
@@ -37,8 +38,7 @@ class Finder {
         const SeenEdge& f = edge(order[j]);
         if (f.low_up() > e.high_up() || e.low_up() > f.high_up()) continue;
         Compare(std::min(order[i], order[j]), std::max(order[i], order[j]));
-        if (passages_.size() > 2 * kMostCurveIntersections)
-          return CurveFault{CurveFaultKind::kTooManyIntersections, {}};
+        if (passages_.size() > most_passages_) return CurveFault{CurveFaultKind::kTooManyIntersections, {}};
       }
     }
     SortPassages();
@@ -110,6 +110,7 @@ class Finder {
   }
 
   std::vector<SeenEdge> edges_;
+  size_t most_passages_;
   std::vector<Passage> passages_;
   std::optional<CurveFault> fault_;
 };
@@ -164,7 +165,8 @@ std::string CurveFault::what() const {
   return "expected at most " + std::to_string(kMostCurveIntersections) + " intersections, got more";
 }
 
-std::variant<CurveProjection, CurveFault> ProjectCurve(const Curve& curve, const algebra::Vector3& view) {
+std::variant<CurveProjection, CurveFault> ProjectCurve(const Curve& curve, const algebra::Vector3& view,
+                                                       int most_intersections) {
   if (view.IsZero()) throw PreconditionError("ProjectCurve: expected a view of some length, got zero");
   if (auto fault = FindFaultOfCurve(curve)) return *fault;
   std::vector<SeenEdge> edges = SeenEdges(curve, view);
@@ -173,7 +175,7 @@ std::variant<CurveProjection, CurveFault> ProjectCurve(const Curve& curve, const
     const int i = static_cast<int>(vertical - edges.begin()) + 1;
     return CurveFault{CurveFaultKind::kVerticalEdge, {i, i + 1}};
   }
-  return Finder(std::move(edges)).Run();
+  return Finder(std::move(edges), most_intersections).Run();
 }
 
 }  // namespace tact::knot

@@ -60,9 +60,10 @@ struct CurveProjection {
   std::vector<CurvePlace> places;  // of column i at index i - 1
 };
 
-/// Intersections of one projection, at most: P-data with more are refused as kTooManyIntersections.
-inline constexpr size_t kMostCurveIntersections = 1'000'000;
+/// Intersections of one projection, at most: what has more is refused as kTooManyIntersections, whatever else is wrong.
+inline constexpr int kMostCurveIntersections = 1'000'000;
 
-std::variant<CurveProjection, CurveFault> ProjectCurve(const Curve& curve, const algebra::Vector3& view);
+std::variant<CurveProjection, CurveFault> ProjectCurve(const Curve& curve, const algebra::Vector3& view,
+                                                       int most_intersections = kMostCurveIntersections);
 
 }  // namespace tact::knot

@@ -1,12 +1,12 @@
 /// @file
 /// Which view shows rope curves with the fewest intersections, out of a fixed list.
-/// Model   CandidateViews: from above, then directions spread over the upper half of the sphere, a Halton sequence of a disc
-///         seen on the sphere by stereographic projection. The same for whatever curves; opposite views show mirrored
-///         intersections, so half a sphere does. Of the views without a fault in any curve the one with the fewest
-///         intersections in all curves together is chosen, of equals the first. Curves that are steps of one task
-///         need one view: P-data seen from two sides have nothing to do with each other.
+/// Model   CandidateViews: from above, then the directions (+-2, +-3, +-6) and (+-1, +-2, +-2), their numbers in any order, that
+///         point up, from steep to flat: every direction is within 32 degrees of one or of its opposite, which shows the
+///         same intersections mirrored. Of the views without a fault in any curve the one with the fewest intersections in all
+///         curves together is chosen, of equals the first. Curves that are steps of one task need one view: P-data seen
+///         from two sides have nothing to do with each other.
 /// Exact   rational directions; no curve is moved.
-/// Cost    that of projecting every curve from each of the views.
+/// Cost    that of projecting every curve from each of the views, of which most are given up when they show too many.
 #pragma once
 
 #include <variant>
@@ -23,7 +23,9 @@ std::vector<algebra::Vector3> CandidateViews();
 struct ProjectedCurves {
   algebra::Vector3 view;
   std::vector<CurveProjection> projections;  // of each curve
-  int views = 1, faulty_views = 0;           // how many were tried, how many of these some curve forbids
+  int views = 1;                             // how many were tried
+
+  int Intersections() const;
 };
 
 /// A curve, by index, and what is wrong with it.
@@ -32,9 +34,10 @@ struct FaultyCurve {
   CurveFault fault;
 };
 
-/// From one view: the first curve with a fault, if any.
+/// From one view: the first curve with a fault, if any; more intersections in all curves than so many are one.
 std::variant<ProjectedCurves, FaultyCurve> ProjectCurves(const std::vector<Curve>& curves,
-                                                         const algebra::Vector3& view);
+                                                         const algebra::Vector3& view,
+                                                         int most_intersections = kMostCurveIntersections);
 /// From the best view; if there is none, what is wrong from above, or with a curve whatever the view.
 std::variant<ProjectedCurves, FaultyCurve> ProjectCurvesFromBestView(const std::vector<Curve>& curves);
 

@@ -7,7 +7,7 @@ std::vector<Claim> AllClaims() {
   for (auto part : {DisplacementClaims(), PropositionClaims(), MotionDofClaims(), DofClassClaims(),
                     DofTransitionClaims(), SubSkillRuleClaims(), TransitionFrequencyClaims(),
                     SingularClaims(), PegInsertionClaims(), KnotProjectionClaims(), KnotMoveClaims(),
-                    KnotTyingClaims()}) {
+                    KnotTyingClaims(), KnotWatchedClaims()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;

@@ -30,8 +30,10 @@ std::vector<Claim> PegInsertionClaims();
 std::vector<Claim> KnotProjectionClaims();
 /// [thesis, 5.2 and 5.3]: the rules that detect moves, Propositions 10 to 15.
 std::vector<Claim> KnotMoveClaims();
-/// [thesis, 5.2.3 and 5.4.2]: sufficiency, knots that are tied and recognized.
+/// [thesis, 5.2.3]: sufficiency.
 std::vector<Claim> KnotTyingClaims();
+/// [thesis, 5.4.2]: a bowline and a bow, recognized.
+std::vector<Claim> KnotWatchedClaims();
 
 /// Every claim, in the order of the thesis.
 std::vector<Claim> AllClaims();

@@ -65,6 +65,12 @@ TEST(KnotCurveCommand, TheEightKnotsAreTied) {
   }
 }
 
+// It is a loop tied in the bight: nobody needs an end for it.
+TEST(KnotCurveCommand, TheHarnessHitchIsTiedWithoutTheEnds) {
+  const std::string steps = RunTact({"knot", "tie", "harness_hitch", "--moves", "R1,R2,R3"}).out;
+  EXPECT_TRUE(steps.ends_with("\n4 steps, proved shortest.\n")) << steps;
+}
+
 // [thesis, 5.4.2] on the bowline: in each transition the Cross move or R_I; more than one in the first and the fourth only;
 // the third P-data is its own equivalent.
 TEST(KnotCurveCommand, TheBowlineIsRecognizedAsTheThesisTells) {

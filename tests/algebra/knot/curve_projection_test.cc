@@ -115,6 +115,11 @@ TEST(CurveProjection, EachFaultIsNamedWithItsPoints) {
          "4, that of points 6 and 7");
 }
 
+TEST(CurveProjection, MoreIntersectionsThanWantedAreRefused) {
+  EXPECT_TRUE(std::holds_alternative<CurveProjection>(ProjectCurve(kOverhand, kAbove, 3)));
+  EXPECT_EQ(std::get<CurveFault>(ProjectCurve(kOverhand, kAbove, 2)).kind, Kind::kTooManyIntersections);
+}
+
 // What no view mends is said first, and edges that only seem to cover each other are told from those that meet.
 TEST(CurveProjection, FaultsOfTheCurveComeBeforeThoseOfTheView) {
   const Curve meets_behind_a_touch = {{0, 0, 0},  {4, 0, 0},  {4, 4, 1}, {2, 0, 1},

@@ -140,6 +140,10 @@ const std::map<std::string, Expected>& ExpectedVerdicts() {
       {"thesis.5.2.3.kinds-needed", {kRefuted, "Cross moves alone tie everything"}},
       {"thesis.5.2.3.r3-redundant", {kRefuted, "three R2 and an R3 where five others are needed"}},
       {"thesis.5.2.3.untying-adds-nothing", {kHoldsTo, "nothing hard is as small as this"}},
+      {"thesis.5.4.2.bowline", {kReproduced, "the free end crosses seven segments"}},
+      {"thesis.5.4.2.wrong-ends", {kReproduced, "P-data and moves read backwards fit neither neighbour"}},
+      {"thesis.5.4.2.bow", {kReproduced, "one strand laid over the other, two loops pushed through"}},
+      {"thesis.5.4.2.bow-by-cross", {kProved, "an end goes where a loop can"}},
       {"thesis.A.1.rotation-equations", {kHoldsTo, "the combinations span the left null space of N"}}};
   return expected;
 }
