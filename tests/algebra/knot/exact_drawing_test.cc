@@ -102,7 +102,7 @@ TEST(FullExactDrawing, EveryPDataOfUpTo4ComesBack) {
 
 TEST(FullExactDrawing, ManyRandomRopesComeBack) {
   std::mt19937_64 random(3);
-  for (int k = 0; k < 1000; ++k) {
+  for (int k = 0; k < 400; ++k) {
     const PData p = RandomPData(random, 12 + static_cast<int>(random() % 19));
     ExpectRoundTrip(p, static_cast<int>(random() % static_cast<uint64_t>(p.crossings() + 1)));
   }
