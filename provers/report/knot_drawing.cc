@@ -184,10 +184,41 @@ class Picture {
   std::string strokes_, marks_;
 };
 
-bool ReadsBack(const knot::Curve& curve, const knot::PData& p) {
-  const auto read = knot::ProjectCurve(curve, knot::ViewFromAbove());
-  const auto* projection = std::get_if<knot::CurveProjection>(&read);
-  return projection != nullptr && projection->p == p;
+// The cubics at which a drawing is not of the P-data; nullopt: it is.
+std::optional<std::vector<size_t>> Misread(const std::vector<Cubic>& cubics, const RopeLayout& layout, const knot::PData& p) {
+  const auto read = knot::ProjectCurve(PolylineOf(cubics, layout, p), knot::ViewFromAbove());
+  std::vector<size_t> where;
+  if (const auto* fault = std::get_if<knot::CurveFault>(&read)) {
+    for (const int point : fault->points) where.push_back(CubicOf(point, cubics.size()));
+    return where;
+  }
+  const auto& projection = std::get<knot::CurveProjection>(read);
+  if (projection.p == p) return std::nullopt;
+  std::vector<bool> meets(layout.rope.size(), false);
+  for (const int place : layout.place) meets[static_cast<size_t>(place)] = true;
+  for (const knot::CurvePlace& place : projection.places) {
+    const size_t cubic = CubicOf(place.edge + 1, cubics.size());
+    if (!meets[cubic] && !meets[cubic + 1]) where.push_back(cubic);
+  }
+  return where;
+}
+
+// As round as it may be: where it is misread the rope bends less.
+std::optional<std::vector<Cubic>> SmoothAndReadBack(const RopeLayout& layout, const knot::PData& p) {
+  constexpr int kTries = 40;
+  std::vector<double> bends(layout.rope.size(), 1);
+  for (int round = 0; round < kTries; ++round) {
+    std::vector<Cubic> cubics = SmoothRope(layout, bends);
+    const auto misread = Misread(cubics, layout, p);
+    if (!misread) return cubics;
+    for (const size_t cubic : *misread) {
+      for (const size_t node : {cubic, cubic + 1}) bends[node] = bends[node] > 0.2 ? bends[node] / 2 : 0;
+    }
+    if (misread->empty()) {
+      for (double& bend : bends) bend /= 2;
+    }
+  }
+  return std::nullopt;
 }
 
 // Two points on a segment let it bend, a loop needs four.
@@ -223,14 +254,11 @@ std::string KnotSvg(const knot::PData& p, const KnotDrawingOptions& options) {
   const int outer = options.outer ? *options.outer : LongestFace(knot::Faces(p));
   if (!options.exact) {
     const RopeLayout relaxed = Relax(ExactLayout(p, outer, PointsForBends(p)));
-    for (const double bend : {1.0, 0.6, 0.3}) {
-      const std::vector<Cubic> cubics = SmoothRope(relaxed, bend);
-      if (ReadsBack(PolylineOf(cubics, relaxed, p), p))
-        return Picture(p, {cubics, relaxed.place}, options).Svg();
-    }
+    if (const auto cubics = SmoothAndReadBack(relaxed, p)) return Picture(p, {*cubics, relaxed.place}, options).Svg();
   }
+  if (!options.exact) fprintf(stderr, "FALLBACK\n");
   const RopeLayout exact = ExactLayout(p, outer, {});
-  return Picture(p, {SmoothRope(exact, 0), exact.place}, options).Svg();
+  return Picture(p, {SmoothRope(exact, std::vector<double>(exact.rope.size(), 0)), exact.place}, options).Svg();
 }
 
 }  // namespace tact::provers

@@ -7,9 +7,12 @@
 namespace tact::provers {
 namespace {
 
-constexpr int kRounds = 300;
+constexpr int kMostUntangling = 2000;  // rounds until no edge is shorter than kUntangled
+constexpr double kUntangled = 0.25;
+constexpr int kRounds = 250;  // after that, with less and less way to go
 constexpr int kRoundsBetweenNodes = 6;
 constexpr double kClearance = 1.7;       // strands nearer than that push each other
+constexpr double kNearClearance = 0.35;             // the same of one strand, two steps apart
 constexpr double kShortening = 0.5;      // of the way to the middle of the neighbours, a round
 constexpr double kStraightening = 0.25;  // the same, the neighbours giving way; strong at intersections
 constexpr double kStraight = 0.6;
@@ -17,7 +20,7 @@ constexpr double kSpacing = 0.6;                   // what an edge wants, weakly
 constexpr double kEndEdge = 1.4;                   // what the first and last edge want
 constexpr int kEndEdges = 3;                       // as many as an end segment has, at most
 constexpr double kLongest = 1.5, kShortest = 0.8;  // edges
-constexpr double kFar = 5;                         // nothing moves so far in a round
+constexpr double kFar = 3;                         // what is farther apart does not meet in a round
 
 using Point = LayoutPoint;
 
@@ -37,20 +40,59 @@ Point FromEdge(Point a, Point b, Point p, double& share) {
   return p - (a + share * along);
 }
 
+// Nodes by squares of side kFar, the outermost ones going on without end.
+class Cells {
+ public:
+  void Fill(const std::vector<Point>& nodes) {
+    left_ = bottom_ = 0;
+    double right = 0, top = 0;
+    for (const Point& p : nodes) {
+      left_ = std::min(left_, p.x);
+      bottom_ = std::min(bottom_, p.y);
+      right = std::max(right, p.x);
+      top = std::max(top, p.y);
+    }
+    columns_ = std::min(kMost, 1 + static_cast<int>((right - left_) / kFar));
+    rows_ = std::min(kMost, 1 + static_cast<int>((top - bottom_) / kFar));
+    cells_.assign(At(columns_ * rows_), {});
+    for (size_t v = 0; v < nodes.size(); ++v)
+      cells_[At(Row(nodes[v].y) * columns_ + Column(nodes[v].x))].push_back(static_cast<int>(v));
+  }
+  // Nodes within kFar of a box about a and b, and some more.
+  template <typename Visit>
+  void ForEachNear(Point a, Point b, const Visit& visit) const {
+    const int left = Column(std::min(a.x, b.x) - kFar), right = Column(std::max(a.x, b.x) + kFar);
+    const int bottom = Row(std::min(a.y, b.y) - kFar), top = Row(std::max(a.y, b.y) + kFar);
+    for (int row = bottom; row <= top; ++row) {
+      for (int column = left; column <= right; ++column) {
+        for (const int v : cells_[At(row * columns_ + column)]) visit(v);
+      }
+    }
+  }
+
+ private:
+  static constexpr int kMost = 64;
+  int Column(double x) const { return std::clamp(static_cast<int>((x - left_) / kFar), 0, columns_ - 1); }
+  int Row(double y) const { return std::clamp(static_cast<int>((y - bottom_) / kFar), 0, rows_ - 1); }
+
+  double left_ = 0, bottom_ = 0;
+  int columns_ = 1, rows_ = 1;
+  std::vector<std::vector<int>> cells_;
+};
+
 class Relaxation {
  public:
   explicit Relaxation(RopeLayout layout) : l_(std::move(layout)) {}
 
   RopeLayout Run() {
     ScaleToUnit();
+    for (int round = 0; round < kMostUntangling && ShortestEdge() < kUntangled; ++round) {
+      if (round % kRoundsBetweenNodes == 0) ChangeNodes();
+      Move(1);
+    }
     for (int round = 0; round < kRounds; ++round) {
-      if (round % kRoundsBetweenNodes == 0 && round + 2 * kRoundsBetweenNodes < kRounds) {
-        AddNodes();
-        RemoveNodes();
-        CutEnds();
-      }
-      const double cooling = 1 - 0.9 * round / kRounds;
-      Move(cooling);
+      if (round % kRoundsBetweenNodes == 0 && round + 2 * kRoundsBetweenNodes < kRounds) ChangeNodes();
+      Move(1 - 0.9 * round / kRounds);
     }
     return std::move(l_);
   }
@@ -64,6 +106,18 @@ class Relaxation {
     for (Point& p : l_.nodes) p = scale * p;
   }
 
+  double ShortestEdge() const {
+    double shortest = kLongest;
+    for (size_t k = 1; k < l_.rope.size(); ++k) shortest = std::min(shortest, Length(Node(k) - Node(k - 1)));
+    return shortest;
+  }
+
+  void ChangeNodes() {
+    AddNodes();
+    RemoveNodes();
+    CutEnds();
+  }
+
   Point Node(size_t k) const { return l_.nodes[At(l_.rope[k])]; }
 
   void Move(double cooling) {
@@ -72,6 +126,7 @@ class Relaxation {
       auto& [first, second] = places_[At(l_.rope[k])];
       (first < 0 ? first : second) = static_cast<int>(k);
     }
+    cells_.Fill(l_.nodes);
     std::vector<Point> move = Forces();
     for (Point& m : move) {
       const double length = Length(m);
@@ -101,8 +156,9 @@ class Relaxation {
       add(l_.rope[end], 0.5 * (kEndEdge / std::max(Length(edge), 1e-3) - 1) * edge);
     }
     ForEachNodeAndEdge([&](int v, size_t edge, Point from_edge, double distance, double share) {
-      if (distance > kClearance || IsNear(v, edge)) return;
-      const Point push = 0.5 * (kClearance / std::max(distance, 1e-3) - 1) * from_edge;
+      const double clearance = IsNear(v, edge) ? kNearClearance : kClearance;
+      if (distance > clearance) return;
+      const Point push = 0.6 * (clearance / std::max(distance, 1e-12) - 1) * from_edge;
       add(v, push);
       add(l_.rope[edge - 1], (share - 1) * push);
       add(l_.rope[edge], -share * push);
@@ -124,8 +180,10 @@ class Relaxation {
   std::vector<double> Allowed(const std::vector<Point>& move) const {
     std::vector<double> allowed(move.size(), 1);
     ForEachNodeAndEdge([&](int v, size_t edge, Point from_edge, double distance, double) {
+      // What is near already, measured by the edge, comes no nearer.
+      const double room = distance < 1e-3 * Length(Node(edge) - Node(edge - 1)) ? 0 : distance / 3;
       const auto limit = [&](int node, double toward) {
-        if (toward > distance / 3) allowed[At(node)] = std::min(allowed[At(node)], distance / (3 * toward));
+        if (toward > room) allowed[At(node)] = std::min(allowed[At(node)], room / toward);
       };
       const Point normal = 1 / std::max(distance, 1e-300) * from_edge;
       limit(v, -Dot(move[At(v)], normal));
@@ -135,20 +193,18 @@ class Relaxation {
     return allowed;
   }
 
-  // Every edge, by the place on the rope where it ends, with every node near it that does not end it.
+  // Every edge, by the place on the rope where it ends, with every node within kFar that does not end it.
   template <typename Visit>
   void ForEachNodeAndEdge(const Visit& visit) const {
     for (size_t k = 1; k < l_.rope.size(); ++k) {
       const int a = l_.rope[k - 1], b = l_.rope[k];
       const Point pa = l_.nodes[At(a)], pb = l_.nodes[At(b)];
-      const double left = std::min(pa.x, pb.x) - kFar, right = std::max(pa.x, pb.x) + kFar;
-      for (int v = 0; v < static_cast<int>(l_.nodes.size()); ++v) {
-        const Point p = l_.nodes[At(v)];
-        if (v == a || v == b || p.x < left || p.x > right) continue;
+      cells_.ForEachNear(pa, pb, [&](int v) {
+        if (v == a || v == b) return;
         double share = 0;
-        const Point from_edge = FromEdge(pa, pb, p, share);
+        const Point from_edge = FromEdge(pa, pb, l_.nodes[At(v)], share);
         visit(v, k, from_edge, Length(from_edge), share);
-      }
+      });
     }
   }
 
@@ -251,6 +307,7 @@ class Relaxation {
   }
 
   RopeLayout l_;
+  Cells cells_;
   size_t spared_from_ = static_cast<size_t>(-1);  // the column before which a node went in this round
   std::vector<std::array<int, 2>> places_;        // of each node on the rope; -1: none
 };

@@ -35,19 +35,20 @@ Cubic Cubic::Part(double from, double to) const {
 
 double Cubic::length() const { return std::hypot(control[3].x - control[0].x, control[3].y - control[0].y); }
 
-std::vector<Cubic> SmoothRope(const RopeLayout& layout, double bend) {
+std::vector<Cubic> SmoothRope(const RopeLayout& layout, const std::vector<double>& bends) {
   const auto node = [&](size_t k) { return layout.nodes[static_cast<size_t>(layout.rope[k])]; };
   const size_t last = layout.rope.size() - 1;
   std::vector<Cubic> cubics;
   for (size_t k = 0; k < last; ++k) {
     const Point a = node(k), b = node(k + 1);
-    const double handle = bend * std::hypot(b.x - a.x, b.y - a.y) / 3;
-    const auto along = [&](size_t before, size_t after) {
+    const double third = std::hypot(b.x - a.x, b.y - a.y) / 3;
+    const auto along = [&](size_t before, size_t after, double bend) {
+      const double handle = bend * third;
       const Point from = node(before), to = node(after);
       const double length = std::max(std::hypot(to.x - from.x, to.y - from.y), 1e-300);
       return Point{handle * (to.x - from.x) / length, handle * (to.y - from.y) / length};
     };
-    const Point at_a = along(k == 0 ? 0 : k - 1, k + 1), at_b = along(k, std::min(k + 2, last));
+    const Point at_a = along(k == 0 ? 0 : k - 1, k + 1, bends[k]), at_b = along(k, std::min(k + 2, last), bends[k + 1]);
     cubics.push_back({{a, {a.x + at_a.x, a.y + at_a.y}, {b.x - at_b.x, b.y - at_b.y}, b}});
   }
   return cubics;
@@ -74,6 +75,10 @@ knot::Curve PolylineOf(const std::vector<Cubic>& cubics, const RopeLayout& layou
   }
   add(cubics.back().control[3], 0);
   return curve;
+}
+
+size_t CubicOf(int point, size_t cubics) {
+  return std::min(static_cast<size_t>(std::max(0, point - 2) / kSamples), cubics - 1);
 }
 
 }  // namespace tact::provers

@@ -15,6 +15,7 @@
 #include "algebra/exact/linear_algebra.h"
 #include "enumerators/contact_world.h"
 #include "enumerators/dof_class.h"
+#include "tests/provers/knot_graph_oracle.h"
 #include "tests/provers/knot_oracle.h"
 
 namespace tact::provers::oracle {
@@ -324,6 +325,9 @@ inline bool IsRight(const json& c) {
   if (kind == "knot-move") return KnotMoveIsRight(c);
   if (kind == "knot-rule") return KnotRuleIsRight(c);
   if (kind == "knot-tying") return TyingIsRight(c);
+  if (kind == "knot-parts" || kind == "knot-embedding" || kind == "knot-face-search" ||
+      kind == "knot-subdivision")
+    return KnotGraphIsRight(c);
   if (kind != "motion-dofs") return false;
   const auto dof = RightRelation(c["relation"]);
   return dof && AssertsHold(c, *dof);

@@ -16,6 +16,7 @@
 #include "provers/check/knot_graph.h"
 #include "provers/claims/knot_outlines.h"
 #include "tests/algebra/knot/p_data_world.h"
+#include "tests/provers/knot_graph_oracle.h"
 
 namespace tact::provers {
 namespace {
@@ -30,114 +31,8 @@ using knot::thesis::FaceSets;
 using knot::thesis::LoopOrder;
 using nlohmann::json;
 
-// By vertices, then by edges, the first two edges that the caution allows together and no chosen loop has; 0: none.
-EdgeSet FirstOpenCorner(const PData& p, Caution caution, const std::set<EdgeSet>& chosen) {
-  const knot::Graph graph = KnotGraph(p);
-  for (int v = 0; v < graph.vertices; ++v) {
-    for (size_t a = 0; a < graph.edges.size(); ++a) {
-      for (size_t b = a + 1; b < graph.edges.size(); ++b) {
-        const auto at = [&](size_t e) { return graph.edges[e].first == v || graph.edges[e].second == v; };
-        const EdgeSet corner = EdgeSet{1} << a | EdgeSet{1} << b;
-        if (!at(a) || !at(b) || !Allows(p, caution, corner)) continue;
-        if (std::none_of(chosen.begin(), chosen.end(), [&](EdgeSet x) { return (x & corner) == corner; }))
-          return corner;
-      }
-    }
-  }
-  return 0;
-}
-
-// Every loop that the rule may choose after faces only, and no face; 0: nothing to choose.
-std::set<EdgeSet> WrongChoices(const PData& p, const FaceSearchReading& reading) {
-  const auto faces = FaceSets(p), loops = FindLoops(p, reading.caution);
-  std::set<EdgeSet> wrong;
-  std::set<std::set<EdgeSet>> seen;
-  const std::function<void(const std::set<EdgeSet>&)> choose = [&](const std::set<EdgeSet>& chosen) {
-    if (!seen.insert(chosen).second) return;
-    EdgeSet once = 0, twice = 0;
-    for (const EdgeSet face : chosen) twice |= once & face, once |= face;
-    if (std::popcount(twice) == p.columns() - 1) return;
-    EdgeSet wanted = 0;
-    if (reading.order == LoopOrder::kEdgeByEdge) wanted = ~twice & (twice + 1);
-    if (reading.order == LoopOrder::kCornerByCorner) wanted = FirstOpenCorner(p, reading.caution, chosen);
-    int shortest = 0;
-    for (const EdgeSet loop : loops) {
-      if ((loop & twice) != 0 || chosen.contains(loop) || (loop & wanted) != wanted) continue;
-      if (shortest != 0 && std::popcount(loop) > shortest) break;
-      shortest = std::popcount(loop);
-      std::set<EdgeSet> more = chosen;
-      more.insert(loop);
-      if (std::count(faces.begin(), faces.end(), loop) == 0) {
-        wrong.insert(loop);
-      } else {
-        choose(more);
-      }
-    }
-    if (shortest == 0) wrong.insert(0);
-  };
-  choose({});
-  return wrong;
-}
-
-std::optional<EdgeSet> SetOf(const json& edges, int count) {
-  EdgeSet set = 0;
-  int last = 0;
-  for (const int k : edges.get<std::vector<int>>()) {
-    if (k <= last || k > count) return std::nullopt;
-    set |= EdgeSet{1} << (k - 1);
-    last = k;
-  }
-  return set;
-}
-
-bool EmbeddingIsRight(const json& c, const PData& p) {
-  knot::Rotation rotation = c["rotation"];
-  const knot::Rotation own = RotationOf(p);
-  if (rotation.size() != own.size()) return false;
-  for (size_t v = 0; v < own.size(); ++v) {
-    if (!std::is_permutation(rotation[v].begin(), rotation[v].end(), own[v].begin(), own[v].end()))
-      return false;
-    std::rotate(rotation[v].begin(), std::min_element(rotation[v].begin(), rotation[v].end()),
-                rotation[v].end());
-  }
-  if (knot::Genus(rotation) != 0 || rotation == own || rotation == MirrorRotation(own)) return false;
-  return !c["nameless"] || NamelessCode(rotation) != NamelessCode(own);
-}
-
-bool FaceSearchIsRight(const json& c, const PData& p) {
-  const std::vector<std::string> cautions = {"none", "edges", "segments", "every-vertex"};
-  const auto caution = std::find(cautions.begin(), cautions.end(), c["rule"]["caution"]) - cautions.begin();
-  if (caution == 4) return false;
-  const std::vector<std::string> orders = {"shortest-first", "edge-by-edge", "corner-by-corner"};
-  const auto order = std::find(orders.begin(), orders.end(), c["rule"]["order"]) - orders.begin();
-  const FaceSearchReading reading{static_cast<Caution>(caution), static_cast<LoopOrder>(order)};
-  const auto chosen = SetOf(c["chooses"], p.columns() - 1);
-  return chosen && WrongChoices(p, reading).contains(*chosen) &&
-         c["always"] == !SearchFaces(p, reading).right;
-}
-
-bool PartsAreRight(const json& c, const PData& p) {
-  const json classes = json::parse(KnotPartsCertificate("t", "c", p).json)["parts"];
-  if (IsPlanar(p) ||
-      !std::is_permutation(classes.begin(), classes.end(), c["parts"].begin(), c["parts"].end()))
-    return false;
-  const auto parts = Split(p);
-  return std::all_of(parts.begin(), parts.end(), [](const knot::Part& part) { return IsPlanar(part.p); });
-}
-
-bool IsRight(const json& c) {
-  if (c["version"] != 1) return false;
-  const auto sigma = c["p_data"]["sigma"].get<std::vector<int>>();
-  const auto attr = c["p_data"]["attr"].get<std::vector<int>>();
-  if (PData::FindFault(sigma, attr)) return false;
-  const PData p(sigma, attr);
-  if (c["kind"] == "knot-parts") return PartsAreRight(c, p);
-  if (!IsPlanar(p) || !IsIrreducible(p) || p.crossings() < 2) return false;
-  return c["kind"] == "knot-embedding" ? EmbeddingIsRight(c, p) : FaceSearchIsRight(c, p);
-}
-
 void ExpectJudged(const json& c, int& right, int& wrong) {
-  const bool expected = IsRight(c);
+  const bool expected = oracle::KnotGraphIsRight(c);
   const auto answer = check::CheckCertificate(c.dump());
   EXPECT_EQ(answer.accepted, expected) << answer.why << c.dump();
   ++(expected ? right : wrong);
@@ -210,7 +105,7 @@ TEST(KnotGraphCertificate, PartsOfEveryArrayOfThreeIntersectionsAreJudged) {
   knot::ForEachPData(3, [&](const PData& p) {
     const json c = json::parse(KnotPartsCertificate("t", "c", p).json);
     ExpectJudged(c, right, wrong);
-    if (IsRight(c) && right % 8 == 0) ExpectChangesJudged(c, right, wrong);
+    if (oracle::KnotGraphIsRight(c) && right % 8 == 0) ExpectChangesJudged(c, right, wrong);
   });
   EXPECT_GE(right, 32);
   EXPECT_GT(wrong, 500);
