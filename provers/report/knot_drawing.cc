@@ -256,7 +256,6 @@ std::string KnotSvg(const knot::PData& p, const KnotDrawingOptions& options) {
     const RopeLayout relaxed = Relax(ExactLayout(p, outer, PointsForBends(p)));
     if (const auto cubics = SmoothAndReadBack(relaxed, p)) return Picture(p, {*cubics, relaxed.place}, options).Svg();
   }
-  if (!options.exact) fprintf(stderr, "FALLBACK\n");
   const RopeLayout exact = ExactLayout(p, outer, {});
   return Picture(p, {SmoothRope(exact, std::vector<double>(exact.rope.size(), 0)), exact.place}, options).Svg();
 }
