@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 fs::path FolderOf(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : "."; }
 
 int ReadOuter(const KnotOptions& options, const knot::PData& p) {
-  if (!options.outer) return LongestFace(knot::Faces(p));
+  if (!options.outer) return BestOuterFace(knot::Faces(p), p.segments());
   const int faces = p.crossings() + 1;
   if (*options.outer >= 1 && *options.outer <= faces) return static_cast<int>(*options.outer) - 1;
   throw InputError("--outer: expected a face from 1 to " + std::to_string(faces) +

@@ -120,7 +120,7 @@ void AddKnotCommand(CLI::App& app, std::function<ExitStatus()>& run) {
     make.Option("-o,--output", &KnotOptions::output,
                 "FILE.svg or FILE.png; SVG on standard output if not given");
     make.Option("--outer", &KnotOptions::outer,
-                "the face outside, counted as tact knot faces does; the longest if not given");
+                "the face outside, counted as tact knot faces does; one that makes it even if not given");
     make.Flag("--exact", &KnotOptions::exact, "draw the exact drawing's straight edges");
     make.Flag("--labels", &KnotOptions::labels, "number the segments and the columns of intersections");
     make.Option("--certificate", &KnotOptions::certificate, "file for the exact drawing");

@@ -85,6 +85,21 @@ class Builder {
   std::vector<int> first_;         // where each segment begins in the rope
 };
 
+// How far the farthest face is.
+int DepthFrom(int outer, const std::vector<std::vector<int>>& neighbours) {
+  std::vector<int> distance(neighbours.size(), -1), reached = {outer};
+  distance[static_cast<size_t>(outer)] = 0;
+  for (size_t k = 0; k < reached.size(); ++k) {
+    const auto at = static_cast<size_t>(reached[k]);
+    for (const int next : neighbours[at]) {
+      if (distance[static_cast<size_t>(next)] >= 0) continue;
+      distance[static_cast<size_t>(next)] = distance[at] + 1;
+      reached.push_back(next);
+    }
+  }
+  return distance[static_cast<size_t>(reached.back())];
+}
+
 }  // namespace
 
 DiagramTriangulation TriangulateDiagram(const PData& p, int outer, const std::vector<int>& more) {
@@ -99,12 +114,22 @@ DiagramTriangulation TriangulateDiagram(const PData& p, int outer, const std::ve
   return Builder(p, more).Fill(outer);
 }
 
-int LongestFace(const Faces& faces) {
-  int longest = 0;
-  for (int face = 1; face < faces.count(); ++face) {
-    if (faces.walk(face).size() > faces.walk(longest).size()) longest = face;
+int BestOuterFace(const Faces& faces, int segments) {
+  std::vector<std::vector<int>> neighbours(static_cast<size_t>(faces.count()));
+  for (int s = 1; s <= segments; ++s) {
+    const int left = faces.left_of({s, true}), right = faces.left_of({s, false});
+    neighbours[static_cast<size_t>(left)].push_back(right);
+    neighbours[static_cast<size_t>(right)].push_back(left);
   }
-  return longest;
+  std::vector<int> depth;
+  for (int outer = 0; outer < faces.count(); ++outer) depth.push_back(DepthFrom(outer, neighbours));
+  const int least = *std::min_element(depth.begin(), depth.end());
+  int best = -1;
+  for (int face = 0; face < faces.count(); ++face) {
+    if (depth[static_cast<size_t>(face)] > least + 1) continue;
+    if (best < 0 || faces.walk(face).size() > faces.walk(best).size()) best = face;
+  }
+  return best;
 }
 
 }  // namespace tact::knot

@@ -34,7 +34,8 @@ struct DiagramTriangulation {
 /// if it is empty.
 DiagramTriangulation TriangulateDiagram(const PData& p, int outer = 0, const std::vector<int>& more = {});
 
-/// The face with the longest walk, of equals the first: seen from outside, most of the diagram is on its rim.
-int LongestFace(const Faces& faces);
+/// The face that makes the most even drawing from outside: of those from which every other is reached across the fewest segments, or one
+/// more, the one with the longest walk, of equals the first. O(n^2).
+int BestOuterFace(const Faces& faces, int segments);
 
 }  // namespace tact::knot

@@ -185,7 +185,8 @@ class Picture {
 };
 
 // The cubics at which a drawing is not of the P-data; nullopt: it is.
-std::optional<std::vector<size_t>> Misread(const std::vector<Cubic>& cubics, const RopeLayout& layout, const knot::PData& p) {
+std::optional<std::vector<size_t>> Misread(const std::vector<Cubic>& cubics, const RopeLayout& layout,
+                                           const knot::PData& p) {
   const auto read = knot::ProjectCurve(PolylineOf(cubics, layout, p), knot::ViewFromAbove());
   std::vector<size_t> where;
   if (const auto* fault = std::get_if<knot::CurveFault>(&read)) {
@@ -228,36 +229,36 @@ std::vector<int> PointsForBends(const knot::PData& p) {
   return more;
 }
 
+// The exact drawing's, with the rope's vertices as nodes.
 RopeLayout ExactLayout(const knot::PData& p, int outer, const std::vector<int>& more) {
   const knot::DiagramTriangulation t = TriangulateDiagram(p, outer, more);
+  const std::vector<knot::PlanePoint> points = EmbedTriangulation(t);
   RopeLayout layout{{}, t.rope, t.place};
-  for (const knot::PlanePoint& point : EmbedTriangulation(t))
-    layout.nodes.push_back({ToDouble(point.x), ToDouble(point.y)});
-  // Only the rope's vertices are nodes.
-  std::vector<int> number(layout.nodes.size(), -1);
-  std::vector<Point> nodes;
+  std::vector<int> number(points.size(), -1);
   for (int& node : layout.rope) {
     int& its = number[static_cast<size_t>(node)];
     if (its < 0) {
-      its = static_cast<int>(nodes.size());
-      nodes.push_back(layout.nodes[static_cast<size_t>(node)]);
+      its = static_cast<int>(layout.nodes.size());
+      const knot::PlanePoint& point = points[static_cast<size_t>(node)];
+      layout.nodes.push_back({ToDouble(point.x), ToDouble(point.y)});
     }
     node = its;
   }
-  layout.nodes = std::move(nodes);
   return layout;
 }
 
 }  // namespace
 
 std::string KnotSvg(const knot::PData& p, const KnotDrawingOptions& options) {
-  const int outer = options.outer ? *options.outer : LongestFace(knot::Faces(p));
+  const int outer = options.outer ? *options.outer : BestOuterFace(knot::Faces(p), p.segments());
   if (!options.exact) {
     const RopeLayout relaxed = Relax(ExactLayout(p, outer, PointsForBends(p)));
-    if (const auto cubics = SmoothAndReadBack(relaxed, p)) return Picture(p, {*cubics, relaxed.place}, options).Svg();
+    if (const auto cubics = SmoothAndReadBack(relaxed, p))
+      return Picture(p, {*cubics, relaxed.place}, options).Svg();
   }
   const RopeLayout exact = ExactLayout(p, outer, {});
-  return Picture(p, {SmoothRope(exact, std::vector<double>(exact.rope.size(), 0)), exact.place}, options).Svg();
+  return Picture(p, {SmoothRope(exact, std::vector<double>(exact.rope.size(), 0)), exact.place}, options)
+      .Svg();
 }
 
 }  // namespace tact::provers

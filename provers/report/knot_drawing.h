@@ -16,7 +16,7 @@
 namespace tact::provers {
 
 struct KnotDrawingOptions {
-  std::optional<int> outer;  // the face that is outside, from 0; none: the one with the longest walk
+  std::optional<int> outer;  // the face that is outside, from 0; none: BestOuterFace
   bool exact = false;        // straight edges of the exact drawing
   bool labels = false;       // numbers of segments and of intersections' columns
   double size = 480;

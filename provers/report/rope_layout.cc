@@ -12,7 +12,7 @@ constexpr double kUntangled = 0.25;
 constexpr int kRounds = 250;  // after that, with less and less way to go
 constexpr int kRoundsBetweenNodes = 6;
 constexpr double kClearance = 1.7;       // strands nearer than that push each other
-constexpr double kNearClearance = 0.35;             // the same of one strand, two steps apart
+constexpr double kNearClearance = 0.35;  // the same of one strand, two steps apart
 constexpr double kShortening = 0.5;      // of the way to the middle of the neighbours, a round
 constexpr double kStraightening = 0.25;  // the same, the neighbours giving way; strong at intersections
 constexpr double kStraight = 0.6;
@@ -158,7 +158,9 @@ class Relaxation {
     ForEachNodeAndEdge([&](int v, size_t edge, Point from_edge, double distance, double share) {
       const double clearance = IsNear(v, edge) ? kNearClearance : kClearance;
       if (distance > clearance) return;
-      const Point push = 0.6 * (clearance / std::max(distance, 1e-12) - 1) * from_edge;
+      // The nearer the stronger without end: deep inside loops what is near counts, not what is many.
+      const double near = std::max(distance, 1e-15);
+      const Point push = 0.5 * (clearance / near - 1) / near * from_edge;
       add(v, push);
       add(l_.rope[edge - 1], (share - 1) * push);
       add(l_.rope[edge], -share * push);

@@ -48,7 +48,8 @@ std::vector<Cubic> SmoothRope(const RopeLayout& layout, const std::vector<double
       const double length = std::max(std::hypot(to.x - from.x, to.y - from.y), 1e-300);
       return Point{handle * (to.x - from.x) / length, handle * (to.y - from.y) / length};
     };
-    const Point at_a = along(k == 0 ? 0 : k - 1, k + 1, bends[k]), at_b = along(k, std::min(k + 2, last), bends[k + 1]);
+    const Point at_a = along(k == 0 ? 0 : k - 1, k + 1, bends[k]),
+                at_b = along(k, std::min(k + 2, last), bends[k + 1]);
     cubics.push_back({{a, {a.x + at_a.x, a.y + at_a.y}, {b.x - at_b.x, b.y - at_b.y}, b}});
   }
   return cubics;
