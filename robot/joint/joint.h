@@ -32,9 +32,9 @@ enum class JointType : std::uint8_t {
   kTwoAxis
 };
 
-inline constexpr std::array kJointTypes = {
-    JointType::kRigid,       JointType::kPrismatic, JointType::kRevolute, JointType::kScrew,
-    JointType::kCylindrical, JointType::kSpherical, JointType::kPlanar,   JointType::kTwoAxis};
+inline constexpr std::array kJointTypes = {JointType::kRigid,  JointType::kPrismatic,   JointType::kRevolute,
+                                           JointType::kScrew,  JointType::kCylindrical, JointType::kSpherical,
+                                           JointType::kPlanar, JointType::kTwoAxis};
 
 std::string_view NameOf(JointType type);
 

@@ -74,11 +74,18 @@ JointJacobian JacobianAt(const Joint& joint, const Coordinates& q) {
   const auto turning = [&](int i, const Vector3d& axis, const Vector3d& center) {
     jacobian.coordinates.col(i) << axis, axis.cross(arm - center);
   };
-  const auto moving = [&](int i, const Vector3d& axis) { jacobian.coordinates.col(i) << Vector3d::Zero(), axis; };
+  const auto moving = [&](int i, const Vector3d& axis) {
+    jacobian.coordinates.col(i) << Vector3d::Zero(), axis;
+  };
   switch (joint.type) {
-    case JointType::kRigid: break;
-    case JointType::kPrismatic: moving(0, z); break;
-    case JointType::kRevolute: turning(0, z, Vector3d::Zero()); break;
+    case JointType::kRigid:
+      break;
+    case JointType::kPrismatic:
+      moving(0, z);
+      break;
+    case JointType::kRevolute:
+      turning(0, z, Vector3d::Zero());
+      break;
     case JointType::kScrew:
       turning(0, z, Vector3d::Zero());
       jacobian.coordinates(5, 0) += joint.pitch;

@@ -15,7 +15,8 @@ inline constexpr int kMostDof = 3;
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using ParameterVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostParameters, 1>;
-using ParameterMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostParameters, kMostParameters>;
+using ParameterMatrix =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostParameters, kMostParameters>;
 using ParameterJacobian = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, kMostParameters>;
 using CoordinateJacobian = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, kMostDof>;
 

@@ -63,7 +63,8 @@ Joint OnAxes(JointType type, Poses poses, const Axes& axes) {
 // `free` of B if it is not zero.
 class CenterEquations {
  public:
-  CenterEquations(int extras, const Vector3d& free) : extras_(extras), P_(Matrix3d::Identity() - free * free.transpose()) {
+  CenterEquations(int extras, const Vector3d& free)
+      : extras_(extras), P_(Matrix3d::Identity() - free * free.transpose()) {
     normal_ = SmallMatrix::Zero(6 + extras, 6 + extras);
     right_ = SmallVector::Zero(6 + extras);
   }
@@ -114,7 +115,8 @@ Joint FitAboutAxis(JointType type, Poses poses, const Axes& axes) {
   }
   CenterEquations equations(screws, slides ? axes.l_B : Vector3d(Vector3d::Zero()));
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    equations.Add(Corrected(poses[i].R, axes), poses[i].p, screws ? Vector3d(angles[i] * axes.l_B) : Vector3d(Vector3d::Zero()));
+    equations.Add(Corrected(poses[i].R, axes), poses[i].p,
+                  screws ? Vector3d(angles[i] * axes.l_B) : Vector3d(Vector3d::Zero()));
   }
   const SmallVector solution = equations.Solve();
   joint = WithCenters(joint, solution);
@@ -168,11 +170,16 @@ void Unwrap(std::span<double> angles) {
 
 Joint FitLeastSquares(JointType type, Poses poses) {
   switch (type) {
-    case JointType::kRigid: return FitRigid(poses);
-    case JointType::kPrismatic: return FitPrismatic(poses);
-    case JointType::kSpherical: return FitSpherical(poses);
-    case JointType::kTwoAxis: return FitTwoAxis(poses);
-    default: return FitWithAxes(type, poses, AxesByOrientation(poses));
+    case JointType::kRigid:
+      return FitRigid(poses);
+    case JointType::kPrismatic:
+      return FitPrismatic(poses);
+    case JointType::kSpherical:
+      return FitSpherical(poses);
+    case JointType::kTwoAxis:
+      return FitTwoAxis(poses);
+    default:
+      return FitWithAxes(type, poses, AxesByOrientation(poses));
   }
 }
 

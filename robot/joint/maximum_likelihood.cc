@@ -11,6 +11,8 @@ namespace {
 using Poses = std::span<const Transform>;
 
 constexpr double kSmallestScale = 1e-12;  // radian, metre: noise-free data stay solvable in doubles
+constexpr double kFirstRotation =
+    0.01;  // radian: where the start leaves no error of orientation (spherical), a usual one
 
 // An orthonormal basis of the columns of J, and the triangle T with J = Q T. Columns that add nothing are left out of Q.
 struct Basis {
@@ -54,7 +56,8 @@ struct PoseEquations {
   Basis basis;
   Vector6 error;
 };
-PoseEquations EquationsOf(const Joint& joint, const Coordinates& q, const Transform& X_BA, const NoiseScale& noise) {
+PoseEquations EquationsOf(const Joint& joint, const Coordinates& q, const Transform& X_BA,
+                          const NoiseScale& noise) {
   JointJacobian jacobian = JacobianAt(joint, q);
   Vector6 error = PoseError(joint, q, X_BA);
   jacobian.parameters.topRows<3>() /= noise.rotation;
@@ -74,11 +77,13 @@ struct Normal {
   std::array<double, 2> squares{}, redundancy{};
 
   explicit Normal(int parameters)
-      : information(ParameterMatrix::Zero(parameters, parameters)), gradient(ParameterVector::Zero(parameters)) {
+      : information(ParameterMatrix::Zero(parameters, parameters)),
+        gradient(ParameterVector::Zero(parameters)) {
     information_of.fill(information);
   }
   void Add(const PoseEquations& pose, double weight) {
-    const ParameterJacobian J = pose.parameters - pose.basis.Q * (pose.basis.Q.transpose() * pose.parameters).eval();
+    const ParameterJacobian J =
+        pose.parameters - pose.basis.Q * (pose.basis.Q.transpose() * pose.parameters).eval();
     const Vector6 e = pose.error - pose.basis.Q * (pose.basis.Q.transpose() * pose.error).eval();
     for (int group = 0; group < 2; ++group) {
       const auto at = static_cast<std::size_t>(group);
@@ -103,9 +108,12 @@ int TurningCoordinates(JointType type) {
     case JointType::kRevolute:
     case JointType::kScrew:
     case JointType::kCylindrical:
-    case JointType::kPlanar: return 1;
-    case JointType::kTwoAxis: return 2;
-    default: return 0;
+    case JointType::kPlanar:
+      return 1;
+    case JointType::kTwoAxis:
+      return 2;
+    default:
+      return 0;
   }
 }
 
@@ -142,7 +150,9 @@ NoiseScale FirstScale(const Joint& joint, const std::vector<Coordinates>& q, Pos
     translation += e.tail<3>().squaredNorm();
   }
   const double count = 3 * static_cast<double>(poses.size());
-  return {std::max(kSmallestScale, std::sqrt(rotation / count)), std::max(kSmallestScale, std::sqrt(translation / count))};
+  const bool turns_freely = joint.type == JointType::kSpherical;
+  return {turns_freely ? kFirstRotation : std::max(kSmallestScale, std::sqrt(rotation / count)),
+          std::max(kSmallestScale, std::sqrt(translation / count))};
 }
 
 }  // namespace
@@ -173,7 +183,8 @@ JointFit ClimbLikelihood(const Joint& start, Poses poses, const FitOptions& opti
       joint = Changed(fit.joint, step);
       for (std::size_t i = 0; i < poses.size(); ++i) {
         const PoseEquations pose = EquationsOf(fit.joint, fit.coordinates[i], poses[i], fit.noise);
-        tried[i] = Changed(fit.joint, fit.coordinates[i], SolveBasis(pose.basis, pose.error - pose.parameters * step));
+        tried[i] = Changed(fit.joint, fit.coordinates[i],
+                           SolveBasis(pose.basis, pose.error - pose.parameters * step));
       }
       next = Squares(joint, tried, poses, fit.noise, options.weights);
       if (next <= now * (1 + 1e-12)) break;
@@ -207,7 +218,9 @@ JointFit FitMaximumLikelihood(JointType type, Poses poses, const FitOptions& opt
   std::optional<JointFit> best;
   for (const Joint& start : StartsOf(type, poses)) {
     JointFit fit = ClimbLikelihood(start, poses, options);
-    const auto spread = [](const JointFit& f) { return std::log(f.noise.rotation) + std::log(f.noise.translation); };
+    const auto spread = [](const JointFit& f) {
+      return std::log(f.noise.rotation) + std::log(f.noise.translation);
+    };
     const bool better = !best || (options.noise ? fit.squares < best->squares : spread(fit) < spread(*best));
     if (better) best = std::move(fit);
   }

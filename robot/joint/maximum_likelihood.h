@@ -28,22 +28,24 @@ struct JointFit {
   std::vector<Coordinates> coordinates;  // of each pose; angles continuous along their order
   NoiseScale noise;
   ParameterMatrix covariance;  // of the change of parameters that Changed takes, from the joint to the truth
-  int rank = 0;                // of the information about the parameters: fewer than there are, the data leave some open
-  double squares = 0;          // weighted sum of squared errors
+  int rank = 0;  // of the information about the parameters: fewer than there are, the data leave some open
+  double squares = 0;  // weighted sum of squared errors
   int iterations = 0;
   bool converged = false;
 };
 
 struct FitOptions {
-  std::optional<NoiseScale> noise;      // known scales; none: estimated
-  std::span<const double> weights;      // of each pose, multiplying its squared errors; none: 1
+  std::optional<NoiseScale> noise;  // known scales; none: estimated
+  std::span<const double> weights;  // of each pose, multiplying its squared errors; none: 1
   int most_iterations = 60;
 };
 
 /// Climbs from one joint. Pre: poses not empty.
-JointFit ClimbLikelihood(const Joint& start, std::span<const Transform> poses, const FitOptions& options = {});
+JointFit ClimbLikelihood(const Joint& start, std::span<const Transform> poses,
+                         const FitOptions& options = {});
 
 /// The best of the climbs from StartsOf (least_squares.h).
-JointFit FitMaximumLikelihood(JointType type, std::span<const Transform> poses, const FitOptions& options = {});
+JointFit FitMaximumLikelihood(JointType type, std::span<const Transform> poses,
+                              const FitOptions& options = {});
 
 }  // namespace tact::joint

@@ -27,7 +27,8 @@ SmallMatrix PseudoInverse(const SmallMatrix& symmetric, double tolerance, int* r
   // Unknowns may have different units: each is measured in what makes its diagonal one.
   SmallVector unit = symmetric.diagonal();
   for (double& value : unit) value = value > 0 ? 1 / std::sqrt(value) : 0;
-  const Eigen::SelfAdjointEigenSolver<SmallMatrix> solver(SmallMatrix(unit.asDiagonal() * symmetric * unit.asDiagonal()));
+  const Eigen::SelfAdjointEigenSolver<SmallMatrix> solver(
+      SmallMatrix(unit.asDiagonal() * symmetric * unit.asDiagonal()));
   SmallVector inverse = solver.eigenvalues();
   const double least = tolerance * inverse.cwiseAbs().maxCoeff();
   int count = 0;

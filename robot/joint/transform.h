@@ -18,7 +18,9 @@ struct Transform {
 };
 
 inline Transform operator*(const Transform& a, const Transform& b) { return {a.R * b.R, a.p + a.R * b.p}; }
-inline Eigen::Vector3d operator*(const Transform& a, const Eigen::Vector3d& point) { return a.p + a.R * point; }
+inline Eigen::Vector3d operator*(const Transform& a, const Eigen::Vector3d& point) {
+  return a.p + a.R * point;
+}
 
 /// The rotation about w by |w| radian.
 inline Eigen::Matrix3d RotationExp(const Eigen::Vector3d& w) {
@@ -33,7 +35,9 @@ inline Eigen::Matrix3d RotationExp(const Eigen::Vector3d& w) {
 inline Eigen::Vector3d RotationLog(const Eigen::Matrix3d& R) {
   const Eigen::Vector3d twice_sine(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
   const double sine = twice_sine.norm() / 2, cosine = (R.trace() - 1) / 2;
-  if (cosine > 0) return sine < 1e-9 ? Eigen::Vector3d(twice_sine / 2) : Eigen::Vector3d(twice_sine * (std::asin(std::min(1.0, sine)) / (2 * sine)));
+  if (cosine > 0)
+    return sine < 1e-9 ? Eigen::Vector3d(twice_sine / 2)
+                       : Eigen::Vector3d(twice_sine * (std::asin(std::min(1.0, sine)) / (2 * sine)));
   Eigen::Quaterniond q(R);
   if (q.w() < 0) q.coeffs() *= -1;
   const double norm = q.vec().norm();
