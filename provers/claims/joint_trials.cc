@@ -1,6 +1,7 @@
 #include "provers/claims/joint_trials.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <thread>
 
@@ -39,12 +40,22 @@ class Random {
 };
 
 std::vector<joint::Coordinates> DrawCoordinates(const TrialSetup& setup, Random& random) {
-  const int dof = joint::JointDof(setup.type);
   std::vector<joint::Coordinates> all(static_cast<size_t>(setup.poses), joint::Coordinates::Zero());
+  const auto side = static_cast<size_t>(std::lround(std::sqrt(setup.poses)));
   for (size_t i = 0; i < all.size(); ++i) {
-    const bool equal = setup.placing == Placing::kEqual && dof == 1;
-    for (int k = 0; k < dof; ++k) {
-      const double share = equal ? static_cast<double>(i) / (setup.poses - 1) : random.Uniform();
+    for (int k = 0; k < joint::JointDof(setup.type); ++k) {
+      double share = 0;
+      switch (setup.placing) {
+        case Placing::kEqual:
+          share = static_cast<double>(i) / (setup.poses - 1);
+          break;
+        case Placing::kGrid:
+          share = static_cast<double>(k == 0 ? i / side : i % side) / static_cast<double>(side - 1);
+          break;
+        case Placing::kRandom:
+          share = random.Uniform();
+          break;
+      }
       all[i][k] = share * setup.amount;
     }
   }
@@ -89,6 +100,15 @@ std::vector<std::vector<double>> RunTrials(
   work();
   second.join();
   return rows;
+}
+
+double LineAngle(const Vector3d& a, const Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), std::abs(a.dot(b)));
+}
+
+int TrialsFor(Effort effort) {
+  constexpr std::array trials = {200, 4000, 10000};
+  return trials[static_cast<size_t>(effort)];
 }
 
 }  // namespace tact::provers

@@ -12,6 +12,7 @@
 #include <numbers>
 #include <vector>
 
+#include "provers/ledger.h"
 #include "robot/joint/joint.h"
 
 namespace tact::provers {
@@ -21,8 +22,9 @@ inline constexpr double kMillimetre = 1e-3;
 inline constexpr double kMostTurn = 5 * kDegree;        // of the noise
 inline constexpr double kMostShift = 10 * kMillimetre;  // of the noise
 
-/// How the poses lie over the span of the joint's coordinate, which the thesis does not say.
-enum class Placing { kEqual, kRandom };
+/// How the poses lie over the span of the joint's coordinates, which the thesis does not say: in equal steps from end to end
+/// (two coordinates grow together), on a square grid (two coordinates only), at random.
+enum class Placing { kEqual, kGrid, kRandom };
 
 struct TrialSetup {
   joint::JointType type = joint::JointType::kRevolute;
@@ -38,12 +40,17 @@ struct Trial {
   std::vector<joint::Transform> exact, noisy;
 };
 
-/// kEqual puts one pose on either end of the span; a two-axis joint's coordinates are random always. In the order of the first
-/// coordinate.
+/// The poses come in the order of the first coordinate.
 Trial DrawTrial(const TrialSetup& setup, std::uint64_t seed);
 
 /// measure(seed, values) for the seeds 0 to trials - 1 on two threads; row k of the result holds value k of every trial.
 std::vector<std::vector<double>> RunTrials(
     int trials, int values, const std::function<void(std::uint64_t seed, double* values)>& measure);
+
+/// The angle between the lines along two directions, in [0, pi/2].
+double LineAngle(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+
+/// How many trials a cell of a table gets.
+int TrialsFor(Effort effort);
 
 }  // namespace tact::provers

@@ -187,13 +187,17 @@ Vector3d AnglesOf(const Matrix3d& R) {
 }
 
 std::pair<std::size_t, std::size_t> NearestQuarterTurn(Poses poses) {
+  std::vector<Eigen::Quaterniond> turns;
+  turns.reserve(poses.size());
+  for (const Transform& X_BA : poses) turns.emplace_back(X_BA.R);
   std::pair<std::size_t, std::size_t> best{0, 1};
-  double least = 4;  // |trace - 1| = 2 |cos| is at most 2
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    for (std::size_t j = i + 1; j < poses.size(); ++j) {
-      const double off = std::abs(poses[i].R.cwiseProduct(poses[j].R).sum() - 1);
-      if (off >= least) continue;
-      least = off;
+  double least = 2;
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    for (std::size_t j = i + 1; j < turns.size(); ++j) {
+      const double half = turns[i].dot(turns[j]);  // its size is the cosine of half the angle between
+      const double cosine = std::abs(2 * half * half - 1);
+      if (cosine >= least) continue;
+      least = cosine;
       best = {i, j};
     }
   }
