@@ -9,7 +9,7 @@
 namespace tact::check {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, void (*)(const Value&)>, 9> kKinds = {{
+constexpr std::array<std::pair<std::string_view, void (*)(const Value&)>, 11> kKinds = {{
     {"motion-dofs", CheckMotionDofs},
     {"transitions", CheckTransitions},
     {"basis", CheckBasis},
@@ -19,6 +19,8 @@ constexpr std::array<std::pair<std::string_view, void (*)(const Value&)>, 9> kKi
     {"knot-move", CheckKnotMove},
     {"knot-rule", CheckKnotRule},
     {"knot-tying", CheckKnotTying},
+    {"identity", CheckIdentity},
+    {"no-identity", CheckNoIdentity},
 }};
 constexpr std::array<std::string_view, 6> kCommonKeys = {"format", "version",   "claim",
                                                          "kind",   "statement", "note"};

@@ -35,5 +35,9 @@ void CheckKnotMove(const Value& certificate);
 /// A pair of codes on which a rule of the thesis misses a move or accepts where there is none.
 void CheckKnotRule(const Value& certificate);
 void CheckKnotTying(const Value& certificate);
+/// Polynomial equations that follow from given ones.
+void CheckIdentity(const Value& certificate);
+/// Values at which the given equations hold and another does not.
+void CheckNoIdentity(const Value& certificate);
 
 }  // namespace tact::check

@@ -6,8 +6,8 @@ namespace tact::provers {
 
 std::vector<Claim> JointClaims() {
   std::vector<Claim> all;
-  for (auto part :
-       {RevoluteTableClaims(), RevoluteScalingClaims(), PrismaticClaims(), ScrewClaims(), TwoAxisClaims()})
+  for (auto part : {JointMisprintClaims(), JointTurnClaims(), JointAxisClaims(), RevoluteTableClaims(),
+                    RevoluteScalingClaims(), PrismaticClaims(), ScrewClaims(), TwoAxisClaims()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

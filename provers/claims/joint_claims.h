@@ -8,6 +8,12 @@
 
 namespace tact::provers {
 
+/// [thesis, 4.2 to 4.5.1]: formulas that are not as printed.
+std::vector<Claim> JointMisprintClaims();
+/// [thesis, 4.2 and 4.3]: identities about turns.
+std::vector<Claim> JointTurnClaims();
+/// [thesis, 4.3 to 4.6]: identities about axes.
+std::vector<Claim> JointAxisClaims();
 /// [thesis, 4.5.2], Tables 4.1 and 4.2.
 std::vector<Claim> RevoluteTableClaims();
 /// [thesis, 4.5.2], what is said about them.
