@@ -11,8 +11,8 @@ bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 
 class Reader {
  public:
-  Reader(const Value& formula, const std::function<Terms(const std::string&)>& variable)
-      : where_(&formula), text_(AsString(formula)), variable_(variable) {}
+  Reader(const Value& formula, Expander& expander)
+      : where_(&formula), text_(AsString(formula)), expander_(expander) {}
 
   Terms Read() {
     Terms sum = ReadSum(0);
@@ -44,9 +44,9 @@ class Reader {
     Terms sum = ReadProduct(depth);
     while (true) {
       if (Take('+')) {
-        sum = sum + ReadProduct(depth);
+        Add(sum, ReadProduct(depth), 1);
       } else if (Take('-')) {
-        sum = sum - ReadProduct(depth);
+        Add(sum, ReadProduct(depth), -1);
       } else {
         return sum;
       }
@@ -54,12 +54,16 @@ class Reader {
   }
   Terms ReadProduct(std::size_t depth) {
     Terms product = ReadPower(depth);
-    while (Take('*')) product = Multiply(product, ReadPower(depth), where_);
+    while (Take('*')) product = expander_.Multiply(product, ReadPower(depth), where_);
     return product;
   }
   Terms ReadPower(std::size_t depth) {
     if (depth > kMaxFormulaDepth) Refuse("nested too deep");
-    if (Take('-')) return Terms() - ReadPower(depth + 1);
+    if (Take('-')) {
+      Terms negative;
+      Add(negative, ReadPower(depth + 1), -1);
+      return negative;
+    }
     const Terms base = ReadAtom(depth);
     if (!Take('^')) return base;
     Peek();
@@ -68,7 +72,7 @@ class Reader {
     const auto exponent = static_cast<unsigned>(std::stoul(digits));
     if (exponent > kMaxPower) Refuse("the exponent is beyond " + std::to_string(kMaxPower));
     Terms power = {{{}, 1}};
-    for (unsigned i = 0; i < exponent; ++i) power = Multiply(power, base, where_);
+    for (unsigned i = 0; i < exponent; ++i) power = expander_.Multiply(power, base, where_);
     return power;
   }
   Terms ReadAtom(std::size_t depth) {
@@ -78,7 +82,7 @@ class Reader {
       return sum;
     }
     const char next = Peek();
-    if (IsLetter(next)) return variable_(Run(true));
+    if (IsLetter(next)) return expander_.Replace(Run(true));
     if (!IsDigit(next)) Refuse("expected a number, a name or (");
     const std::string digits = Run(false);
     if (digits.size() > kMaxDigits) Refuse("a number of too many digits");
@@ -88,9 +92,11 @@ class Reader {
 
   const Value* where_;
   const std::string& text_;
-  const std::function<Terms(const std::string&)>& variable_;
+  Expander& expander_;
   std::size_t at_ = 0;
 };
+
+std::size_t Bits(const mpz_class& number) { return mpz_sizeinbase(number.get_mpz_t(), 2); }
 
 void AddTo(Terms& sum, const std::vector<std::string>& variables, const mpz_class& coefficient) {
   const auto place = sum.try_emplace(variables, 0).first;
@@ -100,33 +106,26 @@ void AddTo(Terms& sum, const std::vector<std::string>& variables, const mpz_clas
 
 }  // namespace
 
-Terms operator+(const Terms& a, const Terms& b) {
-  Terms sum = a;
-  for (const auto& [variables, coefficient] : b) AddTo(sum, variables, coefficient);
-  return sum;
+void Add(Terms& a, const Terms& b, int factor) {
+  for (const auto& [variables, coefficient] : b) AddTo(a, variables, factor * coefficient);
 }
 
-Terms operator-(const Terms& a, const Terms& b) {
-  Terms difference = a;
-  for (const auto& [variables, coefficient] : b) AddTo(difference, variables, -coefficient);
-  return difference;
-}
+Terms Expander::Expand(const Value& formula) { return Reader(formula, *this).Read(); }
 
-Terms Multiply(const Terms& a, const Terms& b, const Value* where) {
-  if (!b.empty() && a.size() > kMaxTerms / b.size()) throw Refused(where, "too many terms");
+Terms Expander::Multiply(const Terms& a, const Terms& b, const Value* where) {
+  if (!b.empty() && a.size() > (kMaxProducts - products_) / b.size()) throw Refused(where, "too many terms");
+  products_ += a.size() * b.size();
   Terms product;
   for (const auto& [in_a, coefficient_a] : a) {
     for (const auto& [in_b, coefficient_b] : b) {
+      if (in_a.size() + in_b.size() > kMaxDegree || Bits(coefficient_a) + Bits(coefficient_b) > kMaxBits)
+        throw Refused(where, "too high a degree or too large a number");
       std::vector<std::string> variables;
       std::merge(in_a.begin(), in_a.end(), in_b.begin(), in_b.end(), std::back_inserter(variables));
       AddTo(product, variables, coefficient_a * coefficient_b);
     }
   }
   return product;
-}
-
-Terms Expand(const Value& formula, const std::function<Terms(const std::string& name)>& variable) {
-  return Reader(formula, variable).Read();
 }
 
 }  // namespace tact::check

@@ -6,6 +6,7 @@
 #include "provers/claims/joint_claims.h"
 #include "provers/claims/joint_trials.h"
 #include "provers/claims/printed_table.h"
+#include "provers/report/log_plot.h"
 #include "robot/joint/thesis_estimator.h"
 
 namespace tact::provers {
@@ -117,6 +118,21 @@ std::vector<Reading> Readings(Effort effort, const std::vector<std::pair<std::st
   return readings;
 }
 
+// Against the number of poses, a line a length.
+Figure Plot(const std::string& caption, Effort effort, Value value, const NinePrinted& printed) {
+  LogPlot plot{caption, "poses", "degrees", {50, 100, 200}, {}};
+  const Nine& nine = NineFor(Placing::kEqual, effort);
+  for (size_t l = 0; l < kLengths.size(); ++l) {
+    PlotSeries& series = plot.series.emplace_back();
+    series.name = fmt::format("{} mm", kLengths[l]);
+    for (size_t k = 3 * l; k < 3 * l + 3; ++k) {
+      series.values.push_back(nine[k][value].mean);
+      series.printed.push_back(printed[k].mean);
+    }
+  }
+  return {caption, DrawLogPlot(plot)};
+}
+
 Outcome TryTableB(Effort effort) {
   Outcome outcome = JudgeTable("Table 4.3, direction in B (degrees)", Printed("B", kPrintedB),
                                Readings(effort, {{"", kB}}));
@@ -124,6 +140,7 @@ Outcome TryTableB(Effort effort) {
       "The heads of Table 4.3 say mm; the numbers are angles in degrees, as those of Table 4.2. Equal steps "
       "from end to end "
       "come nearest; poses at random, whose spread varies, err a little more.";
+  outcome.figures = {Plot("Direction in B: lines re-run, rings printed.", effort, kB, kPrintedB)};
   return outcome;
 }
 
@@ -140,6 +157,7 @@ Outcome TryTableA(Effort effort) {
       "poses can do that; the first pose's alone, the initial guess, errs more still. "
       "thesis.4.5.2.table-4.3-a-explained names what "
       "fits.";
+  outcome.figures = {Plot("Direction in A by (4.6): lines re-run, rings printed.", effort, kA, kPrintedA)};
   return outcome;
 }
 
@@ -154,6 +172,8 @@ Outcome TryTableAExplained(Effort effort) {
       "its three unknowns "
       "the text does not say. So the printed errors of A say nothing about the method: it does up to five "
       "times better.";
+  outcome.figures = {Plot("Direction in A, pitch alone fitted: lines re-run, rings printed.", effort,
+                          kPitchOnlyA, kPrintedA)};
   return outcome;
 }
 

@@ -2,6 +2,7 @@
 
 #include "provers/claims/joint_claims.h"
 #include "provers/claims/revolute_trials.h"
+#include "provers/report/log_plot.h"
 
 namespace tact::provers {
 namespace {
@@ -89,6 +90,18 @@ std::string NameOf(Placing placing) {
   return placing == Placing::kEqual ? "poses in equal steps" : "poses at random";
 }
 
+// In link A against the number of poses, a line a rotation.
+Figure Plot(const std::string& caption, const std::string& unit, const std::vector<const RevoluteCell*>& nine,
+            RevoluteValue value, const NinePrinted& printed) {
+  LogPlot plot{caption, "poses", unit, {50, 100, 200}, {}};
+  for (size_t i = 0; i < nine.size(); ++i) {
+    if (i % 3 == 0) plot.series.push_back({fmt::format("{}\u00b0", nine[i]->span), {}, {}});
+    plot.series.back().values.push_back(nine[i]->values[value].mean);
+    plot.series.back().printed.push_back(printed[i].mean);
+  }
+  return {caption, DrawLogPlot(plot)};
+}
+
 Outcome TryMethodTable(Effort effort) {
   const auto& cells = RevoluteCellsFor(effort);
   std::vector<Reading> readings;
@@ -106,6 +119,9 @@ Outcome TryMethodTable(Effort effort) {
       "which is all that an observer has, the errors below a quarter turn come out larger than printed: "
       "among many pairs it is the noise that "
       "makes a pair look far apart. How the poses lie over the span makes no difference that shows.";
+  outcome.figures = {Plot("Axis in A by Method A, pair by true angles: lines re-run, rings printed.",
+                          "degrees", NineCells(cells, Placing::kEqual, kNearCentre), kTrueMethodAxisA,
+                          kMethodPrintedA)};
   return outcome;
 }
 
@@ -127,6 +143,8 @@ Outcome TryAxisTable(Effort effort) {
       "they give the same means within a few percent but smaller SDs, at 45 and 90 degrees with 200 poses by "
       "more than chance allows: "
       "there the printed method was still on its way.";
+  outcome.figures = {Plot("Axis in A, ended early: lines re-run, rings printed.", "degrees",
+                          NineCells(cells, Placing::kEqual, kNearCentre), kEarlyAxisA, kAxisPrintedA)};
   return outcome;
 }
 
@@ -156,6 +174,8 @@ Outcome TryCentreTable(Effort effort) {
       "agree; from 100 mm away "
       "the turns' error would show in the centre, and none agrees. A tool in the hand, pivoted at its far "
       "end, is farther away than that.";
+  outcome.figures = {Plot("Centre in A, 10 mm away: lines re-run, rings printed.", "millimetres",
+                          NineCells(cells, Placing::kEqual, kNearCentre), kPointA, kCentrePrintedA)};
   return outcome;
 }
 

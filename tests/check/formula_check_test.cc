@@ -59,6 +59,11 @@ TEST(FormulaCheck, HostileFormulasAreRefusedNotRun) {
   EXPECT_NE(Why(Identity(std::string(100000, '('), "a")), "");
   EXPECT_NE(Why(Identity(std::string(100000, '-') + "a", "a")), "");
   EXPECT_EQ(Why(Identity("((((a+b+c+d+e+f)^16)^16)^16)^16", "a")), "equations[0].left: too many terms");
+  for (const char* base : {"a", "9"}) {
+    std::string power = base;
+    for (int i = 0; i < 50; ++i) power = "(" + power + ")^16";
+    EXPECT_EQ(Why(Identity(power, "a")), "equations[0].left: too high a degree or too large a number");
+  }
 }
 
 TEST(FormulaCheck, ConsequencesOfWhatIsGivenNeedTheirCofactors) {
