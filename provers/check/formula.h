@@ -1,7 +1,7 @@
 /// @file
 /// Formulas of integers and named variables, and the polynomials they are.
-/// Model   sum = product { ("+" | "-") product }; product = power { "*" power }; power = "-" power | atom [ "^" digits ];
-///         atom = digits | name | "(" sum ")"; a name is letters and digits, a letter first. Blanks separate.
+/// Model   sum = product { ("+" | "-") product }; product = power { "*" power }; power = "-" power | atom [ "^" digits
+///         ]; atom = digits | name | "(" sum ")"; a name is letters and digits, a letter first. Blanks separate.
 /// Exact   + * = only.
 /// Errors  Refused: no such formula, or beyond a limit below.
 #pragma once

@@ -1,7 +1,8 @@
 /// @file
 /// Identities about turns, tried at exact points and certified as polynomials.
-/// Model   A quaternion (w, v) of any size but zero turns by R = FromQuaternion; cleared of its norm n, an entry of R is a polynomial
-///         of degree 2. A polynomial of degree at most 2 k in each variable that vanishes on {-k ... k} in each is zero.
+/// Model   A quaternion (w, v) of any size but zero turns by R = FromQuaternion; cleared of its norm n, an entry of R
+///         is a polynomial of degree 2. A polynomial of degree at most 2 k in each variable that vanishes on {-k ...
+///         k} in each is zero.
 #pragma once
 
 #include <functional>

@@ -96,9 +96,8 @@ Outcome TryTraces(Effort) {
 // A quarter turn back, cosine 0 and sine -1: the size of the angle is that of a quarter turn, sine 1.
 Outcome TryAngleNorm(Effort) {
   const Rational sine = -1, printed = 1;  // both with cosine 0; an angle in [0, 180] degrees has a sine >= 0
-  return Refute("thesis.4.4.1.angle-norm",
-                "four poses, a quarter turn apart",
-                printed, sine, {{{"c", 0}, {"s", -1}, {"p", 1}}, {"c^2+s^2-1", "c^2+p^2-1"}, "p", "s"},
+  return Refute("thesis.4.4.1.angle-norm", "four poses, a quarter turn apart", printed, sine,
+                {{{"c", 0}, {"s", -1}, {"p", 1}}, {"c^2+s^2-1", "c^2+p^2-1"}, "p", "s"},
                 "A screw is turned by 90 degrees a step. The size of the angle, || || in (4.21), is 0, 90, "
                 "180 and then 90 again; with multiples of 360 degrees added, the "
                 "value nearest to 180 is 90. So by (4.21) and continuity the screw turns back; in truth it "

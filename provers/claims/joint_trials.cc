@@ -11,7 +11,8 @@ namespace {
 using Eigen::Vector3d;
 using joint::Transform;
 
-// SplitMix64. Its streams from neighbouring states are one stream, shifted: so a seed is mixed before it is the state.
+// SplitMix64 [Steele et al. 2014]. Its streams from neighbouring states are one stream, shifted: so a seed is mixed
+// before it is the state.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(Mixed(Mixed(seed + 1) ^ seed)) {}
@@ -22,7 +23,7 @@ class Random {
     return {r * std::cos(angle), r * std::sin(angle), z};
   }
   Eigen::Matrix3d Orientation() {
-    // Shoemake's: two points on circles make a uniform unit quaternion.
+    // Two points on circles make a uniform unit quaternion [Shoemake 1992].
     const double u = Uniform(), a = 2 * std::numbers::pi * Uniform(), b = 2 * std::numbers::pi * Uniform();
     const double s = std::sqrt(1 - u), t = std::sqrt(u);
     return Eigen::Quaterniond(t * std::cos(b), s * std::sin(a), s * std::cos(a), t * std::sin(b))

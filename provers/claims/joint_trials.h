@@ -1,8 +1,8 @@
 /// @file
 /// The simulation experiments of [thesis, 4.5.2 and 4.6.3]: joints, poses and noise drawn from a seed.
-/// Model   The joint's frames lie at random in both links, their orientations uniform, their origins at one distance from each
-///         link's. A pose is the joint's at its coordinate, then, in B, R <- exp(w) R and p <- p + d [eq. (4.28), (4.29)]: |w|
-///         uniform in [0, 5 degrees], |d| uniform in [0, 10 mm], both in uniform directions.
+/// Model   The joint's frames lie at random in both links, their orientations uniform, their origins at one distance
+///         from each link's. A pose is the joint's at its coordinate, then, in B, R <- exp(w) R and p <- p + d [eq.
+///         (4.28), (4.29)]: |w| uniform in [0, 5 degrees], |d| uniform in [0, 10 mm], both in uniform directions.
 /// Units   metre, radian.
 /// Exact   a trial follows from its seed alone, whatever thread draws it.
 #pragma once
@@ -22,8 +22,8 @@ inline constexpr double kMillimetre = 1e-3;
 inline constexpr double kMostTurn = 5 * kDegree;        // of the noise
 inline constexpr double kMostShift = 10 * kMillimetre;  // of the noise
 
-/// How the poses lie over the span of the joint's coordinates, which the thesis does not say: in equal steps from end to end
-/// (two coordinates grow together), on a square grid (two coordinates only), at random.
+/// How the poses lie over the span of the joint's coordinates, which the thesis does not say: in equal steps from end
+/// to end (two coordinates grow together), on a square grid (two coordinates only), at random.
 enum class Placing { kEqual, kGrid, kRandom };
 
 struct TrialSetup {
@@ -43,7 +43,8 @@ struct Trial {
 /// The poses come in the order of the first coordinate.
 Trial DrawTrial(const TrialSetup& setup, std::uint64_t seed);
 
-/// measure(seed, values) for the seeds 0 to trials - 1 on two threads; row k of the result holds value k of every trial.
+/// measure(seed, values) for the seeds 0 to trials - 1 on two threads; row k of the result holds value k of every
+/// trial.
 std::vector<std::vector<double>> RunTrials(
     int trials, int values, const std::function<void(std::uint64_t seed, double* values)>& measure);
 

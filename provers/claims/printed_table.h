@@ -1,9 +1,11 @@
 /// @file
-/// Tables of simulated averages, printed, against re-runs: cell by cell, under each reading of what the text leaves open.
-/// Model   A printed cell is the mean and the standard deviation (SD) over kPrintedTrials trials, a re-run the same over some other
-///         number. If both sample one distribution, the difference of the means, over sqrt(sd^2 / n + sd^2 / m), is about standard
-///         normal, and so is that of the SDs over their spread, which the re-run's fourth moment gives. A cell agrees if both
-///         differences are below kAgrees: 99.99 % of true ones are, each, so that a table of dozens of true cells agrees as a whole.
+/// Tables of simulated averages, printed, against re-runs: cell by cell, under each reading of what the text leaves
+/// open.
+/// Model   A printed cell is the mean and the standard deviation (SD) over kPrintedTrials trials, a re-run the same
+///         over some other number. If both sample one distribution, the difference of the means, over sqrt(sd^2 / n +
+///         sd^2 / m), is about standard normal, and so is that of the SDs over their spread, which the re-run's fourth
+///         moment gives. A cell agrees if both differences are below kAgrees: 99.99 % of true ones are, each, so that
+///         a table of dozens of true cells agrees as a whole.
 #pragma once
 
 #include <array>
@@ -28,7 +30,8 @@ Moments MomentsOf(std::span<const double> sample);
 /// Half the width of the 95 % interval of the mean.
 double HalfWidth(const Moments& moments);
 
-/// The nine cells of one quantity: the smallest amount of motion with 50, 100, 200 poses, then the next, then the largest.
+/// The nine cells of one quantity: the smallest amount of motion with 50, 100, 200 poses, then the next, then the
+/// largest.
 struct PrintedPair {
   double mean, sd;
 };
@@ -57,7 +60,8 @@ int Agreeing(const std::vector<PrintedCell>& printed, const Reading& reading);
 /// The index of the reading that most cells agree with; of equals, the one with the smaller sum of squared deviations.
 size_t BestReading(const std::vector<PrintedCell>& printed, const std::vector<Reading>& readings);
 
-/// Reproduced if all cells agree with one of the readings; a table of the readings, one of the cells in the best, and numbers.
+/// Reproduced if all cells agree with one of the readings; a table of the readings, one of the cells in the best, and
+/// numbers.
 Outcome JudgeTable(const std::string& caption, const std::vector<PrintedCell>& printed,
                    const std::vector<Reading>& readings);
 

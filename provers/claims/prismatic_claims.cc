@@ -1,31 +1,11 @@
 #include <fmt/format.h>
 
-#include <array>
-#include <mutex>
-
 #include "provers/claims/joint_claims.h"
-#include "provers/claims/joint_trials.h"
-#include "provers/claims/printed_table.h"
+#include "provers/claims/prismatic_trials.h"
 #include "provers/report/log_plot.h"
-#include "robot/joint/thesis_estimator.h"
 
 namespace tact::provers {
 namespace {
-
-using Eigen::Matrix3d;
-using Eigen::Vector3d;
-
-// Angles between directions, in degrees.
-enum Value {
-  kA,           // conjugate gradients run until they converge
-  kB,           //
-  kFirstPoseA,  // (4.3) with the first pose's orientation, the initial guess
-  kPitchOnlyA,  // with its pitch fitted, its yaw and roll kept
-  kLess,        // kA - kB
-  kValues
-};
-
-constexpr std::array kLengths = {50, 100, 200};  // millimetre
 
 constexpr NinePrinted kPrintedA = {{{3.003, 1.649},
                                     {2.384, 1.302},
@@ -46,54 +26,6 @@ constexpr NinePrinted kPrintedB = {{{2.412, 1.261},
                                     {.4148, .2256},
                                     {.2954, .1532}}};
 
-// The orientation nearest to all poses' among those with the yaw and roll of the first.
-Matrix3d PitchOnly(const std::vector<joint::Transform>& poses) {
-  Vector3d angles = joint::AnglesOf(poses.front().R);
-  Matrix3d sum = Matrix3d::Zero();
-  for (const joint::Transform& X_BA : poses) sum += X_BA.R;
-  const Matrix3d pitch = joint::RollPitchYaw({angles[0], 0, 0}).transpose() * sum *
-                         joint::RollPitchYaw({0, 0, angles[2]}).transpose();
-  angles[1] = std::atan2(pitch(0, 2) - pitch(2, 0), pitch(0, 0) + pitch(2, 2));
-  return joint::RollPitchYaw(angles);
-}
-
-void Measure(const TrialSetup& setup, std::uint64_t seed, double* values) {
-  const Trial trial = DrawTrial(setup, seed);
-  const joint::Joint found = FitAsInThesis(setup.type, trial.noisy).joint;
-  const Vector3d true_A = trial.truth.X_AJ.R.col(2), l_B = found.X_BJ.R.col(2);
-  values[kA] = LineAngle(found.X_AJ.R.col(2), true_A) / kDegree;
-  values[kB] = LineAngle(l_B, trial.truth.X_BJ.R.col(2)) / kDegree;
-  values[kFirstPoseA] = LineAngle(trial.noisy.front().R.transpose() * l_B, true_A) / kDegree;
-  values[kPitchOnlyA] = LineAngle(PitchOnly(trial.noisy).transpose() * l_B, true_A) / kDegree;
-  values[kLess] = values[kA] - values[kB];
-}
-
-using Cell = std::array<Moments, kValues>;
-using Nine = std::array<Cell, 9>;  // 50 mm with 50, 100, 200 poses, then 100 mm, then 200 mm
-
-Nine Run(Placing placing, Effort effort) {
-  Nine nine;
-  size_t i = 0;
-  for (const int length : kLengths) {
-    for (const int poses : kPoseCounts) {
-      const TrialSetup setup{joint::JointType::kPrismatic, length * kMillimetre, poses, placing, 0, 0};
-      const auto rows = RunTrials(TrialsFor(effort), kValues,
-                                  [&](std::uint64_t seed, double* values) { Measure(setup, seed, values); });
-      for (size_t k = 0; k < kValues; ++k) nine[i][k] = MomentsOf(rows[k]);
-      ++i;
-    }
-  }
-  return nine;
-}
-
-const Nine& NineFor(Placing placing, Effort effort) {
-  static std::array<Nine, 6> all;
-  static std::array<std::once_flag, 6> done;
-  const size_t at = 2 * static_cast<size_t>(effort) + (placing == Placing::kEqual ? 0 : 1);
-  std::call_once(done[at], [&] { all[at] = Run(placing, effort); });
-  return all[at];
-}
-
 std::vector<PrintedCell> Printed(const std::string& link, const NinePrinted& values) {
   std::vector<PrintedCell> cells;
   for (const int length : kLengths) {
@@ -106,22 +38,24 @@ std::vector<PrintedCell> Printed(const std::string& link, const NinePrinted& val
   return cells;
 }
 
-std::vector<Reading> Readings(Effort effort, const std::vector<std::pair<std::string, Value>>& values) {
+std::vector<Reading> Readings(Effort effort,
+                              const std::vector<std::pair<std::string, PrismaticValue>>& values) {
   std::vector<Reading> readings;
   for (const Placing placing : {Placing::kEqual, Placing::kRandom}) {
     for (const auto& [name, value] : values) {
       Reading& reading = readings.emplace_back();
       reading.name = (placing == Placing::kEqual ? "poses in equal steps" : "poses at random") + name;
-      for (const Cell& cell : NineFor(placing, effort)) reading.cells.push_back(cell[value]);
+      for (const PrismaticCell& cell : PrismaticCellsFor(placing, effort))
+        reading.cells.push_back(cell[value]);
     }
   }
   return readings;
 }
 
 // Against the number of poses, a line a length.
-Figure Plot(const std::string& caption, Effort effort, Value value, const NinePrinted& printed) {
+Figure Plot(const std::string& caption, Effort effort, PrismaticValue value, const NinePrinted& printed) {
   LogPlot plot{caption, "poses", "degrees", {50, 100, 200}, {}};
-  const Nine& nine = NineFor(Placing::kEqual, effort);
+  const PrismaticCells& nine = PrismaticCellsFor(Placing::kEqual, effort);
   for (size_t l = 0; l < kLengths.size(); ++l) {
     PlotSeries& series = plot.series.emplace_back();
     series.name = fmt::format("{} mm", kLengths[l]);
@@ -135,18 +69,18 @@ Figure Plot(const std::string& caption, Effort effort, Value value, const NinePr
 
 Outcome TryTableB(Effort effort) {
   Outcome outcome = JudgeTable("Table 4.3, direction in B (degrees)", Printed("B", kPrintedB),
-                               Readings(effort, {{"", kB}}));
+                               Readings(effort, {{"", kDirectionB}}));
   outcome.evidence =
       "The heads of Table 4.3 say mm; the numbers are angles in degrees, as those of Table 4.2. Equal steps "
       "from end to end "
       "come nearest; poses at random, whose spread varies, err a little more.";
-  outcome.figures = {Plot("Direction in B: lines re-run, rings printed.", effort, kB, kPrintedB)};
+  outcome.figures = {Plot("Direction in B: lines re-run, rings printed.", effort, kDirectionB, kPrintedB)};
   return outcome;
 }
 
 Outcome TryTableA(Effort effort) {
   Outcome outcome = JudgeTable("Table 4.3, direction in A (degrees)", Printed("A", kPrintedA),
-                               Readings(effort, {{"", kA}}));
+                               Readings(effort, {{"", kDirectionA}}));
   outcome.evidence =
       "A's direction is B's, turned by the estimated orientation (4.3). The orientation that (4.6) is least "
       "at averages over "
@@ -157,7 +91,8 @@ Outcome TryTableA(Effort effort) {
       "poses can do that; the first pose's alone, the initial guess, errs more still. "
       "thesis.4.5.2.table-4.3-a-explained names what "
       "fits.";
-  outcome.figures = {Plot("Direction in A by (4.6): lines re-run, rings printed.", effort, kA, kPrintedA)};
+  outcome.figures = {
+      Plot("Direction in A by (4.6): lines re-run, rings printed.", effort, kDirectionA, kPrintedA)};
   return outcome;
 }
 
@@ -183,14 +118,15 @@ Outcome TryHarder(Effort effort) {
   Table table{"A's error less B's of the same trials, degrees, with 95 % intervals (poses in equal steps)",
               {"way", "poses", "B", "A", "A less B"},
               {}};
-  const Nine& nine = NineFor(Placing::kEqual, effort);
+  const PrismaticCells& nine = PrismaticCellsFor(Placing::kEqual, effort);
   bool harder = true;
   for (size_t i = 0; i < nine.size(); ++i) {
-    const Cell& cell = nine[i];
+    const PrismaticCell& cell = nine[i];
     const int length = kLengths[i / 3], poses = kPoseCounts[i % 3];
-    table.rows.push_back({fmt::format("{} mm", length), std::to_string(poses), WithInterval(cell[kB]),
-                          WithInterval(cell[kA]), WithInterval(cell[kLess])});
-    if (length == 200) harder = harder && cell[kLess].mean > HalfWidth(cell[kLess]);
+    table.rows.push_back({fmt::format("{} mm", length), std::to_string(poses),
+                          WithInterval(cell[kDirectionB]), WithInterval(cell[kDirectionA]),
+                          WithInterval(cell[kDifference])});
+    if (length == 200) harder = harder && cell[kDifference].mean > HalfWidth(cell[kDifference]);
   }
   outcome.verdict = harder ? Verdict::kReproduced : Verdict::kNotReproduced;
   outcome.tables = {std::move(table)};
@@ -204,7 +140,7 @@ Outcome TryHarder(Effort effort) {
 }
 
 Outcome TryScaling(Effort effort) {
-  const Nine& nine = NineFor(Placing::kEqual, effort);
+  const PrismaticCells& nine = PrismaticCellsFor(Placing::kEqual, effort);
   Outcome outcome;
   outcome.bound = fmt::format("{} trials a cell", TrialsFor(effort));
   Table table{"Exponents of B's error, with 95 % intervals", {"against", "at", "exponent"}, {}};
@@ -216,9 +152,9 @@ Outcome TryScaling(Effort effort) {
   };
   for (size_t k = 0; k < 3; ++k) {
     add("way, 50 to 200 mm", fmt::format("{} poses", kPoseCounts[k]),
-        ExponentBetween(50, nine[k][kB], 200, nine[6 + k][kB]), -1);
+        ExponentBetween(50, nine[k][kDirectionB], 200, nine[6 + k][kDirectionB]), -1);
     add("poses, 50 to 200", fmt::format("{} mm", kLengths[k]),
-        ExponentBetween(50, nine[3 * k][kB], 200, nine[3 * k + 2][kB]), -0.5);
+        ExponentBetween(50, nine[3 * k][kDirectionB], 200, nine[3 * k + 2][kDirectionB]), -0.5);
   }
   outcome.verdict = holds ? Verdict::kReproduced : Verdict::kNotReproduced;
   outcome.tables = {std::move(table)};

@@ -51,7 +51,7 @@ Outcome TryInverse(Effort effort) {
       "times, in the printed tables "
       "as well (axis in A, 50 poses: 0.6916 / 0.3951 = 1.75). thesis.4.5.2.inverse-to-rotation-corrected "
       "gives the law, by which a "
-      "full turn is only 2.5 times as good as a quarter turn, and more is no better.";
+      "full turn is only 2.3 times as good as a quarter turn, and more is no better.";
   return outcome;
 }
 

@@ -42,7 +42,8 @@ struct RevoluteCell {
 
 inline constexpr double kNearCentre = 10 * kMillimetre;
 
-/// Both placings with the centre at kNearCentre, then equal steps with it at 0, 30 and 100 mm; spans by poses within each.
+/// Both placings with the centre at kNearCentre, then equal steps with it at 0, 30 and 100 mm; spans by poses within
+/// each.
 const std::vector<RevoluteCell>& RevoluteCellsFor(Effort effort);
 
 /// The nine cells in the order of the tables' rows, 45 degrees with 50, 100, 200 poses first.

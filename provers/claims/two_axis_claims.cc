@@ -112,8 +112,8 @@ Outcome TrySuccess(Effort effort) {
   outcome.evidence =
       "Run until they converge, conjugate gradients from the identity succeed far more often than 677 times, "
       "whatever the update, "
-      "the line search and the placing of the angles. Ended where a step lessens the sum by less than some "
-      "thousandths of it, they "
+      "the line search and the placing of the angles. Ended where a step lessens the sum by less than about "
+      "a hundredth of it, they "
       "succeed 677 times; so the printed failures are searches that were given up, on long narrow valleys of "
       "the sum. One number "
       "does not tell at which tolerance.";
@@ -160,7 +160,7 @@ Outcome TryInitialGuess(Effort effort) {
       "has nothing to add. What "
       "still fails is the estimate itself: with 100 poses the noise moves the least sum's axes by more than "
       "2.5 degrees in one trial "
-      "of ten at random angles, of thirty on a grid.\n\nBoth angles growing together in equal steps "
+      "of twelve at random angles, of thirty on a grid.\n\nBoth angles growing together in equal steps "
       "determine no axes: the "
       "orientations run along a curve that other pairs of axes fit as well, and none of the searches "
       "succeeds.";

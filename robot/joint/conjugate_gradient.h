@@ -1,10 +1,11 @@
 /// @file
-/// Minima by nonlinear conjugate gradients, as textbooks have the method.
+/// Minima by nonlinear conjugate gradients, as textbooks have them [Fletcher and Reeves 1964, Polak and Ribiere 1969].
 /// Model   d_0 = -g_0; x_{k+1} = x_k + t_k d_k, t_k by a line search; d_{k+1} = -g_{k+1} + b_k d_k with
 ///           Fletcher-Reeves   b_k = |g_{k+1}|^2 / |g_k|^2
 ///           Polak-Ribiere     b_k = max(0, g_{k+1} . (g_{k+1} - g_k) / |g_k|^2).
-///         Every n steps, n the number of unknowns, and where d is no descent, it starts again along -g. The line search brackets a
-///         zero of the slope by doubling a first step and closes in by secants: the first minimum it meets, or one behind.
+///         Every n steps, n the number of unknowns, and where d is no descent, it starts again along -g. The line
+///         search brackets a zero of the slope by doubling a first step and closes in by secants: the first minimum it
+///         meets, or one behind.
 /// Errors  none: not converged is an answer.
 #pragma once
 

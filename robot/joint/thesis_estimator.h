@@ -1,14 +1,14 @@
 /// @file
 /// The thesis' own estimators, step by step as it writes them: the baseline to compare with.
-/// Model   Orientations by conjugate gradients on angles, from the thesis' initial guesses [thesis, 4.5.1]; then, with the
-///         orientations corrected, centre and pitch by linear least squares [eq. (4.18), (4.24)].
-///           prismatic  (4.6) over roll, pitch, yaw, from the first pose's orientation; direction by principal components
-///           revolute   (4.16) over two directions in spherical coordinates, from Method A's pair
+/// Model   Orientations by conjugate gradients on angles, from the thesis' initial guesses [thesis, 4.5.1]; then, with
+///         the orientations corrected, centre and pitch by linear least squares [eq. (4.18), (4.24)].
+///           prismatic  (4.6) over roll, pitch, yaw, from the first pose's orientation; direction by principal
+///           components revolute   (4.16) over two directions in spherical coordinates, from Method A's pair
 ///           screw      as revolute; the angles about the axis unwrapped along the poses' order (4.21)
 ///           two-axis   (4.38) over roll, pitch, yaw of both frames, from the identity; orientations only, no centre.
-///         The thesis names neither the update nor the line search of its conjugate gradients, nor when they end: CgOptions.
-///         Where its text is misprinted, what it must mean is done: (4.7) sums outer products, (4.21) takes the angle with its
-///         sign, (4.26) has (-sin b, cos b sin c, cos b cos c) in its last row.
+///         The thesis names neither the update nor the line search of its conjugate gradients, nor when they end:
+///         CgOptions. Where its text is misprinted, what it must mean is done: (4.7) sums outer products, (4.21) takes
+///         the angle with its sign, (4.26) has (-sin b, cos b sin c, cos b cos c) in its last row.
 /// Units   metre, radian.
 /// Pre     at least one pose; two for revolute and screw.
 /// Errors  PreconditionError: another type.

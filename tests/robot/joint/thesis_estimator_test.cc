@@ -35,7 +35,8 @@ struct Case {
   std::vector<Transform> poses;
 };
 
-// Poses in equal steps of the coordinate from 0 to span, two-axis at random, with Gaussian noise of sd radian and sd * 0.1 metre.
+// Poses in equal steps of the coordinate from 0 to span, two-axis at random, with Gaussian noise of sd radian and sd *
+// 0.1 metre.
 Case Draws(JointType type, double span, int count, double sd, unsigned seed) {
   Draw draw(seed);
   Case drawn{{type, draw.Pose(), draw.Pose(), type == JointType::kScrew ? 0.02 : 0, 0}, {}};
