@@ -5,6 +5,7 @@
 
 #include "provers/claims/joint_claims.h"
 #include "provers/claims/joint_trials.h"
+#include "provers/claims/printed_table.h"
 #include "robot/joint/thesis_estimator.h"
 #include "robot/joint/two_axis_search.h"
 
@@ -13,10 +14,9 @@ namespace {
 
 using joint::CgUpdate;
 
-constexpr int kPrintedSuccesses = 677, kPrintedTrials = 1000;
+constexpr int kPrintedSuccesses = 677;  // of kPrintedTrials
 constexpr double kSuccess = 2.5;   // degree, as the thesis has it
 constexpr double kSameSum = 1e-6;  // of the root mean square of the sums' terms
-constexpr double kSurely = 3.89;   // standard deviations: 99.99 %
 constexpr double k95 = 1.96;
 
 TrialSetup SetupWith(Placing placing) {
@@ -99,7 +99,7 @@ Outcome TrySuccess(Effort effort) {
       const double share = ShareOf(rows[i]), deviation = Deviation(share, trials);
       table.rows[i].push_back(OfThousand(share, trials));
       table.rows[i].push_back(fmt::format("{:+.1f}", deviation));
-      if (i < converged) reproduced = reproduced || std::abs(deviation) < kSurely;
+      if (i < converged) reproduced = reproduced || std::abs(deviation) < kAgrees;
       if (i == 0) {
         outcome.numbers.emplace_back(
             placing == Placing::kRandom ? "of 1000, angles at random" : "of 1000, on a grid",
