@@ -1,0 +1,33 @@
+/// @file
+/// Joints by least squares of orientation first and of location then, as chapter 4 of the thesis sets them up, each at its
+/// global optimum.
+/// Model   prismatic    sum of 1 - cos of the angles between orientations [thesis, eq. (4.6)]: a singular value decomposition
+///                      of the sum of orientations; direction by principal components [eq. (4.7)]
+///         revolute     sum of 1 - cos of the angles between l_B and R_i l_A [eq. (4.16)]: l_B . (sum of R_i) l_A is largest at
+///                      the first singular vectors; centre by linear least squares with the corrected orientations [eq. (4.18)]
+///         screw        axis as revolute; centre and pitch by linear least squares [eq. (4.24)], angles unwrapped along the
+///                      poses' order [eq. (4.21)]
+///         two-axis     sum of (u . R_i v)^2 [eq. (4.38)] by two_axis_search.h; centres and offset linear
+///         the others   alike: rigid, spherical (linear), cylindrical, planar.
+/// Pre     at least one pose.
+/// Errors  none: where the poses leave something open, the answer is one of many (maximum_likelihood.h tells).
+/// Cost    O(N); two passes.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "robot/joint/joint.h"
+
+namespace tact::joint {
+
+Joint FitLeastSquares(JointType type, std::span<const Transform> poses);
+
+/// The starts from which the likelihood is climbed: FitLeastSquares and, where the axis follows from how the link turns, the
+/// axis along (planar: across) which it moves.
+std::vector<Joint> StartsOf(JointType type, std::span<const Transform> poses);
+
+/// Angles made continuous along their order: each differs from the one before by less than pi [thesis, 4.4.1].
+void Unwrap(std::span<double> angles);
+
+}  // namespace tact::joint

@@ -1,0 +1,26 @@
+/// @file
+/// The two axes of a joint of restricted DOF one in rotation, without an initial guess.
+/// Model   u in B, v in A, unit: the least sum of (u . R_i v)^2 [thesis, eq. (4.38)]. For a given u the best v is an eigenvector
+///         of a 3 x 3 matrix, so the sum's root g(u) is a function on the sphere; it is Lipschitz with constant sqrt(N) in u,
+///         for each |R_i v| = 1. Branch and bound over the faces of a cube covers the half sphere.
+/// Exact   no: the least g is found to within kSearchGap * sqrt(N), then polished by turns.
+/// Cost    some thousand eigenvectors, whatever N, after one pass.
+#pragma once
+
+#include <span>
+
+#include "robot/joint/transform.h"
+
+namespace tact::joint {
+
+inline constexpr double kSearchGap = 1e-3;  // radian, root mean square
+
+struct TwoAxes {
+  Eigen::Vector3d u_B, v_A;
+  double rms = 0;  // of u . R_i v
+  int evaluations = 0;
+};
+
+TwoAxes FindTwoAxes(std::span<const Transform> poses);
+
+}  // namespace tact::joint
