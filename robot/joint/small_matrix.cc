@@ -46,6 +46,12 @@ SmallVector SolveSymmetric(const SmallMatrix& symmetric, const SmallVector& righ
   return PseudoInverse(symmetric, tolerance) * right;
 }
 
+SmallMatrix SquareRoot(const SmallMatrix& symmetric) {
+  const Eigen::SelfAdjointEigenSolver<SmallMatrix> solver(symmetric);
+  const SmallVector roots = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+  return solver.eigenvectors() * roots.asDiagonal() * solver.eigenvectors().transpose();
+}
+
 Eigen::Matrix3d FrameWithZ(const Eigen::Vector3d& z) {
   Eigen::Vector3d least = Eigen::Vector3d::Unit([&] {
     Eigen::Index i = 0;

@@ -33,6 +33,9 @@ SmallVector SolveSymmetric(const SmallMatrix& symmetric, const SmallVector& righ
 /// The pseudo-inverse of a positive semidefinite matrix; directions as in SolveSymmetric. rank: how many it inverted.
 SmallMatrix PseudoInverse(const SmallMatrix& symmetric, double tolerance = 1e-12, int* rank = nullptr);
 
+/// The symmetric square root of a positive semidefinite matrix.
+SmallMatrix SquareRoot(const SmallMatrix& symmetric);
+
 /// Any right-handed frame with z along the unit vector.
 Eigen::Matrix3d FrameWithZ(const Eigen::Vector3d& z);
 

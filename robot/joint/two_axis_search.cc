@@ -10,16 +10,6 @@ namespace {
 
 using Matrix9 = Eigen::Matrix<double, 9, 9>;
 
-// Sum of vec(R) vec(R)^T over the poses, by columns of R.
-Matrix9 SecondMoment(std::span<const Transform> poses) {
-  Matrix9 sum = Matrix9::Zero();
-  for (const Transform& X_BA : poses) {
-    const Eigen::Map<const Eigen::Matrix<double, 9, 1>> r(X_BA.R.data());
-    sum.noalias() += r * r.transpose();
-  }
-  return sum / static_cast<double>(poses.size());
-}
-
 // The quadratic form in v of mean (u . R v)^2.
 Eigen::Matrix3d FormInV(const Matrix9& moment, const Eigen::Vector3d& u) {
   Eigen::Matrix3d form;
@@ -64,10 +54,27 @@ struct Cell {
 };
 bool operator<(const Cell& a, const Cell& b) { return a.bound > b.bound; }
 
+TwoAxes Polished(const Matrix9& moment, const Eigen::Vector3d& u_B) {
+  TwoAxes best{u_B, Eigen::Vector3d::UnitY(), 2, 0};
+  for (int turn = 0; turn < 50; ++turn) {
+    best.v_A = EigenOf(FormInV(moment, best.u_B)).vectors.col(0);
+    const SymmetricEigen3 in_u = EigenOf(FormInU(moment, best.v_A));
+    best.u_B = in_u.vectors.col(0);
+    const double rms = Root(in_u.values[0]);
+    if (best.rms - rms < 1e-14) break;
+    best.rms = rms;
+  }
+  return best;
+}
+
 }  // namespace
 
-TwoAxes FindTwoAxes(std::span<const Transform> poses) {
-  const Matrix9 moment = SecondMoment(poses);
+TwoAxes PolishTwoAxes(const OrientationMoment& orientations, const Eigen::Vector3d& u_B) {
+  return Polished(orientations.Mean(), u_B);
+}
+
+TwoAxes FindTwoAxes(const OrientationMoment& orientations) {
+  const Matrix9 moment = orientations.Mean();
   TwoAxes best{Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY(), 2, 0};
   std::priority_queue<Cell> cells;
   const auto visit = [&](Cell cell, double least) {
@@ -91,15 +98,16 @@ TwoAxes FindTwoAxes(std::span<const Transform> poses) {
       }
     }
   }
-  for (int turn = 0; turn < 50; ++turn) {
-    best.v_A = EigenOf(FormInV(moment, best.u_B)).vectors.col(0);
-    const SymmetricEigen3 in_u = EigenOf(FormInU(moment, best.v_A));
-    best.u_B = in_u.vectors.col(0);
-    const double rms = Root(in_u.values[0]);
-    if (best.rms - rms < 1e-14) break;
-    best.rms = rms;
-  }
+  const int evaluations = best.evaluations;
+  best = Polished(moment, best.u_B);
+  best.evaluations = evaluations;
   return best;
+}
+
+TwoAxes FindTwoAxes(std::span<const Transform> poses) {
+  OrientationMoment moment;
+  for (const Transform& X_BA : poses) moment.Add(X_BA.R);
+  return FindTwoAxes(moment);
 }
 
 }  // namespace tact::joint
