@@ -19,20 +19,22 @@ double AngleAboutY(const Eigen::Matrix3d& R) { return std::atan2(R(0, 2) - R(2, 
 struct TypeRow {
   std::string_view name;
   int dof;
+  int angles;  // unbounded ones
 };
-constexpr std::array<TypeRow, kJointTypes.size()> kRows = {{{"rigid", 0},
-                                                            {"prismatic", 1},
-                                                            {"revolute", 1},
-                                                            {"screw", 1},
-                                                            {"cylindrical", 2},
-                                                            {"spherical", 3},
-                                                            {"planar", 3},
-                                                            {"two-axis", 2}}};
+constexpr std::array<TypeRow, kJointTypes.size()> kRows = {{{"rigid", 0, 0},
+                                                            {"prismatic", 1, 0},
+                                                            {"revolute", 1, 1},
+                                                            {"screw", 1, 1},
+                                                            {"cylindrical", 2, 1},
+                                                            {"spherical", 3, 0},
+                                                            {"planar", 3, 1},
+                                                            {"two-axis", 2, 2}}};
 
 }  // namespace
 
 std::string_view NameOf(JointType type) { return kRows[static_cast<std::size_t>(type)].name; }
 int JointDof(JointType type) { return kRows[static_cast<std::size_t>(type)].dof; }
+int UnboundedAngles(JointType type) { return kRows[static_cast<std::size_t>(type)].angles; }
 
 Transform MotionOf(const Joint& joint, const Coordinates& q) {
   using Eigen::Vector3d;

@@ -44,6 +44,9 @@ using Coordinates = Eigen::Vector3d;
 /// How many coordinates move the joint.
 int JointDof(JointType type);
 
+/// How many of the first coordinates are angles that may go past pi.
+int UnboundedAngles(JointType type);
+
 struct Joint {
   JointType type = JointType::kRigid;
   Transform X_BJ, X_AJ;

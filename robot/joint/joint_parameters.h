@@ -29,12 +29,14 @@ struct NamedParameter {
   std::string_view name;  // direction, point, orientation, pitch, offset
   ParameterKind kind = ParameterKind::kPoint;
   Link frame = Link::kNeither;  // in which its numbers stand
-  Eigen::Vector4d value;        // direction, point: x y z; orientation: w x y z; pitch, length: one number; the rest zero
+  Eigen::Vector4d
+      value;  // direction, point: x y z; orientation: w x y z; pitch, length: one number; the rest zero
   // Of the error's three components: a direction's lies across it, an orientation's is a rotation vector in B; pitch and
   // length fill one entry.
   Eigen::Matrix3d covariance;
-  bool determined = false;     // false: the poses leave it open, and the covariance says nothing
-  double expected_error = 0;  // root mean square of the error's length: radian (direction, orientation), metre, metre a radian
+  bool determined = false;  // false: the poses leave it open, and the covariance says nothing
+  double expected_error =
+      0;  // root mean square of the error's length: radian (direction, orientation), metre, metre a radian
 };
 
 /// reference: a pose among the data, say the first.

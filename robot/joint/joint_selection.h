@@ -23,9 +23,9 @@ inline constexpr double kPlausible = 6;  // of BIC: the usual "strong evidence"
 bool Generalises(JointType general, JointType special);
 
 struct TypeScore {
-  RobustFit robust;  // of the type robust.fit.joint.type
+  RobustFit robust;           // of the type robust.fit.joint.type
   double log_likelihood = 0;  // of all poses, nat
-  int parameters = 0;  // counted by BIC
+  int parameters = 0;         // counted by BIC
   double bic = 0;
   bool plausible = false;
 };
@@ -36,8 +36,8 @@ struct SelectionOptions {
 };
 
 struct JointSelection {
-  std::optional<JointType> type;  // none: the poses cannot tell
-  std::vector<TypeScore> scores;  // in the order of kJointTypes; only of types with enough poses
+  std::optional<JointType> type;      // none: the poses cannot tell
+  std::vector<TypeScore> scores;      // in the order of kJointTypes; only of types with enough poses
   std::vector<JointType> candidates;  // plausible ones, best first
   double effective_poses = 0;
   std::string reason;  // one sentence, why this type or why none

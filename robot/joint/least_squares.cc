@@ -1,6 +1,7 @@
 #include "robot/joint/least_squares.h"
 
 #include <numbers>
+#include <optional>
 
 #include "robot/joint/small_matrix.h"
 #include "robot/joint/two_axis_search.h"
@@ -10,80 +11,105 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using Poses = std::span<const Transform>;
 
 struct Axes {
   Vector3d l_A, l_B;
 };
 
-struct Spread {
-  Vector3d mean;
-  SymmetricEigen3 components;
+// What the first pass gathers; locations count from the first one, which keeps their spread exact far from the origin.
+struct Moments {
+  double count = 0;
+  Transform first;
+  Matrix3d orientations = Matrix3d::Zero();
+  Vector3d locations = Vector3d::Zero();
+  Matrix3d squares = Matrix3d::Zero();
+
+  explicit Moments(const PosePass& pass) {
+    pass([this](const Transform& X_BA) {
+      if (count == 0) first = X_BA;
+      count += 1;
+      orientations += X_BA.R;
+      const Vector3d p = X_BA.p - first.p;
+      locations += p;
+      squares.noalias() += p * p.transpose();
+    });
+  }
+  Vector3d Mean() const { return first.p + locations / count; }
+  SymmetricEigen3 Components() const { return EigenOf(squares - locations * locations.transpose() / count); }
 };
 
-Matrix3d SumOfOrientations(Poses poses) {
-  Matrix3d sum = Matrix3d::Zero();
-  for (const Transform& X_BA : poses) sum += X_BA.R;
-  return sum;
-}
-
-Spread SpreadOf(Poses poses) {
-  Vector3d mean = Vector3d::Zero();
-  for (const Transform& X_BA : poses) mean += X_BA.p;
-  mean /= static_cast<double>(poses.size());
-  Matrix3d covariance = Matrix3d::Zero();
-  for (const Transform& X_BA : poses) covariance.noalias() += (X_BA.p - mean) * (X_BA.p - mean).transpose();
-  return {mean, EigenOf(covariance)};
-}
-
 // The directions that the orientations map to one another best: the least sum of |l_B - R_i l_A|^2.
-Axes AxesByOrientation(Poses poses) {
-  const Svd3 svd = SvdOf(SumOfOrientations(poses));
+Axes AxesByOrientation(const Moments& moments) {
+  const Svd3 svd = SvdOf(moments.orientations);
   return {svd.V.col(0), svd.U.col(0)};
 }
 
-Axes AxesByMotion(Poses poses, bool across) {
-  const Vector3d l_B = SpreadOf(poses).components.vectors.col(across ? 0 : 2);
-  return {(SumOfOrientations(poses).transpose() * l_B).normalized(), l_B};
+Axes AxesByMotion(const Moments& moments, bool across) {
+  const Vector3d l_B = moments.Components().vectors.col(across ? 0 : 2);
+  return {(moments.orientations.transpose() * l_B).normalized(), l_B};
 }
 
 // The orientation nearest to R that maps l_A to l_B [thesis, 4.3.2].
 Matrix3d Corrected(const Matrix3d& R, const Axes& axes) {
-  return Eigen::Quaterniond::FromTwoVectors(R * axes.l_A, axes.l_B).toRotationMatrix() * R;
+  const Vector3d turned = R * axes.l_A;
+  const double cosine = turned.dot(axes.l_B);
+  if (cosine < -0.99) return Eigen::Quaterniond::FromTwoVectors(turned, axes.l_B).toRotationMatrix() * R;
+  const Vector3d cross = turned.cross(axes.l_B);
+  Matrix3d turn = cross * cross.transpose() / (1 + cosine);
+  turn.diagonal().array() += cosine;
+  turn(0, 1) -= cross.z(), turn(1, 0) += cross.z();
+  turn(0, 2) += cross.y(), turn(2, 0) -= cross.y();
+  turn(1, 2) -= cross.x(), turn(2, 1) += cross.x();
+  return turn * R;
 }
 
 // Frames J on the axes, so that the first pose has the angle zero.
-Joint OnAxes(JointType type, Poses poses, const Axes& axes) {
+Joint OnAxes(JointType type, const Moments& moments, const Axes& axes) {
   Joint joint{type, {FrameWithZ(axes.l_B), Vector3d::Zero()}, {}, 0, 0};
-  joint.X_AJ.R = Corrected(poses.front().R, axes).transpose() * joint.X_BJ.R;
+  joint.X_AJ.R = Corrected(moments.first.R, axes).transpose() * joint.X_BJ.R;
   return joint;
 }
 
-// Points c_A, c_B (and more unknowns) by the least sum of |P (c_B - R c_A + extra e - p)|^2, P leaving out the direction
-// `free` of B if it is not zero.
-class CenterEquations {
+// Points c_A, c_B and a factor f by the least sum of |c_B - R c_A + f e - p|^2. As R is a rotation, only sums of
+// R, p, e and their products enter the normal equations.
+class CenterSums {
  public:
-  CenterEquations(int extras, const Vector3d& free)
-      : extras_(extras), P_(Matrix3d::Identity() - free * free.transpose()) {
-    normal_ = SmallMatrix::Zero(6 + extras, 6 + extras);
-    right_ = SmallVector::Zero(6 + extras);
+  void Add(const Matrix3d& R, const Vector3d& p, const Vector3d& e = Vector3d::Zero()) {
+    count_ += 1;
+    R_ += R, p_ += p, e_ += e;
+    R_p_.noalias() += R.transpose() * p;
+    R_e_.noalias() += R.transpose() * e;
+    e_p_ += e.dot(p), e_e_ += e.squaredNorm();
   }
-  void Add(const Matrix3d& R, const Vector3d& p, const Vector3d& extra = Vector3d::Zero()) {
-    Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 7> A(3, 6 + extras_);
-    A.leftCols<3>() = -R;
-    A.middleCols<3>(3).setIdentity();
-    if (extras_) A.col(6) = extra;
-    normal_.noalias() += A.transpose() * (P_ * A).eval();
-    right_.noalias() += A.transpose() * (P_ * p).eval();
+  // c_A, c_B and, if there is any e, f: the shortest solution. With axes: leaving out errors along them, for orientations
+  // that map the one to the other.
+  SmallVector Solve(bool factor, const std::optional<Axes>& free = {}) const {
+    SmallMatrix normal = SmallMatrix::Zero(6 + factor, 6 + factor);
+    SmallVector right = SmallVector::Zero(6 + factor);
+    normal.diagonal().head<6>().setConstant(count_);
+    normal.block<3, 3>(0, 3) = -R_.transpose();
+    normal.block<3, 3>(3, 0) = -R_;
+    right.head<3>() = -R_p_;
+    right.segment<3>(3) = p_;
+    if (factor) {
+      normal.col(6).head<3>() = -R_e_, normal.row(6).head<3>() = -R_e_;
+      normal.col(6).segment<3>(3) = e_, normal.row(6).segment<3>(3) = e_;
+      normal(6, 6) = e_e_, right[6] = e_p_;
+    }
+    if (free) {
+      SmallMatrix across = SmallMatrix::Identity(6 + factor, 6 + factor);
+      across.topLeftCorner<3, 3>() -= free->l_A * free->l_A.transpose();
+      across.block<3, 3>(3, 3) -= free->l_B * free->l_B.transpose();
+      normal = across * normal * across;
+      right = across * right;
+    }
+    return SolveSymmetric(normal, right);
   }
-  // c_A, c_B and the extra unknown: the shortest solution.
-  SmallVector Solve() const { return SolveSymmetric(normal_, right_); }
 
  private:
-  int extras_;
-  Matrix3d P_;
-  SmallMatrix normal_;
-  SmallVector right_;
+  double count_ = 0, e_p_ = 0, e_e_ = 0;
+  Matrix3d R_ = Matrix3d::Zero();
+  Vector3d p_ = Vector3d::Zero(), e_ = p_, R_p_ = p_, R_e_ = p_;
 };
 
 Joint WithCenters(Joint joint, const SmallVector& solution) {
@@ -92,101 +118,115 @@ Joint WithCenters(Joint joint, const SmallVector& solution) {
   return joint;
 }
 
-Joint FitRigid(Poses poses) {
-  return {JointType::kRigid, {NearestRotation(SumOfOrientations(poses)), SpreadOf(poses).mean}, {}, 0, 0};
+Joint FitRigid(const Moments& moments) {
+  return {JointType::kRigid, {NearestRotation(moments.orientations), moments.Mean()}, {}, 0, 0};
 }
 
-Joint FitPrismatic(Poses poses) {
-  const Matrix3d R_BA = NearestRotation(SumOfOrientations(poses));
-  const Spread spread = SpreadOf(poses);
-  const Transform X_BJ{FrameWithZ(spread.components.vectors.col(2)), spread.mean};
+Joint FitPrismatic(const Moments& moments) {
+  const Matrix3d R_BA = NearestRotation(moments.orientations);
+  const Transform X_BJ{FrameWithZ(moments.Components().vectors.col(2)), moments.Mean()};
   return {JointType::kPrismatic, X_BJ, {R_BA.transpose() * X_BJ.R, Vector3d::Zero()}, 0, 0};
 }
 
 // Revolute, cylindrical, screw.
-Joint FitAboutAxis(JointType type, Poses poses, const Axes& axes) {
-  Joint joint = OnAxes(type, poses, axes);
-  const bool slides = type == JointType::kCylindrical, screws = type == JointType::kScrew;
-  std::vector<double> angles;
-  if (screws) {
-    angles.reserve(poses.size());
-    for (const Transform& X_BA : poses) angles.push_back(CoordinatesNear(joint, X_BA)[0]);
-    Unwrap(angles);
-  }
-  CenterEquations equations(screws, slides ? axes.l_B : Vector3d(Vector3d::Zero()));
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    equations.Add(Corrected(poses[i].R, axes), poses[i].p,
-                  screws ? Vector3d(angles[i] * axes.l_B) : Vector3d(Vector3d::Zero()));
-  }
-  const SmallVector solution = equations.Solve();
+Joint FitAboutAxis(JointType type, const Moments& moments, const PosePass& pass, const Axes& axes) {
+  Joint joint = OnAxes(type, moments, axes);
+  const bool screws = type == JointType::kScrew;
+  CenterSums sums;
+  double angle = 0;
+  pass([&](const Transform& X_BA) {
+    if (screws) angle = ContinuousWith(CoordinatesNear(joint, X_BA)[0], angle);
+    sums.Add(Corrected(X_BA.R, axes), X_BA.p - moments.first.p, angle * axes.l_B);
+  });
+  const bool slides = type == JointType::kCylindrical;
+  const SmallVector solution = sums.Solve(screws, slides ? std::optional(axes) : std::nullopt);
   joint = WithCenters(joint, solution);
+  joint.X_BJ.p += moments.first.p;
   if (screws) joint.pitch = solution[6];
   return joint;
 }
 
-Joint FitSpherical(Poses poses) {
-  CenterEquations equations(0, Vector3d::Zero());
-  for (const Transform& X_BA : poses) equations.Add(X_BA.R, X_BA.p);
-  Joint joint{JointType::kSpherical, {}, {poses.front().R.transpose(), Vector3d::Zero()}, 0, 0};
-  return WithCenters(joint, equations.Solve());
-}
-
-Joint FitPlanar(Poses poses, const Axes& axes) {
-  Joint joint = OnAxes(JointType::kPlanar, poses, axes);
-  joint.X_BJ.p = SpreadOf(poses).mean;
+Joint FitSpherical(const Moments& moments, const PosePass& pass) {
+  CenterSums sums;
+  pass([&](const Transform& X_BA) { sums.Add(X_BA.R, X_BA.p - moments.first.p); });
+  Joint joint{JointType::kSpherical, {}, {moments.first.R.transpose(), Vector3d::Zero()}, 0, 0};
+  joint = WithCenters(joint, sums.Solve(false));
+  joint.X_BJ.p += moments.first.p;
   return joint;
 }
 
-Joint FitTwoAxis(Poses poses) {
-  const TwoAxes axes = FindTwoAxes(poses);
+Joint FitPlanar(const Moments& moments, const Axes& axes) {
+  Joint joint = OnAxes(JointType::kPlanar, moments, axes);
+  joint.X_BJ.p = moments.Mean();
+  return joint;
+}
+
+Joint FitTwoAxis(const Moments& moments, const PosePass& pass) {
+  OrientationMoment moment;
+  pass([&](const Transform& X_BA) { moment.Add(X_BA.R); });
+  const TwoAxes axes = FindTwoAxes(moment);
   Joint joint{JointType::kTwoAxis, {FrameWithZ(axes.u_B), Vector3d::Zero()}, {}, 0, 0};
   const Matrix3d frame = FrameWithZ(axes.v_A);  // x y z; J_A has its y along v_A
-  joint.X_AJ.R.col(0) = frame.col(1);
-  joint.X_AJ.R.col(1) = frame.col(2);
-  joint.X_AJ.R.col(2) = frame.col(0);
-  CenterEquations equations(1, Vector3d::Zero());
-  for (const Transform& X_BA : poses) {
+  joint.X_AJ.R << frame.col(1), frame.col(2), frame.col(0);
+  CenterSums sums;
+  pass([&](const Transform& X_BA) {
     const double first = CoordinatesNear(joint, X_BA)[0];
-    equations.Add(X_BA.R, X_BA.p, joint.X_BJ.R * Vector3d(std::cos(first), std::sin(first), 0));
-  }
-  const SmallVector solution = equations.Solve();
+    sums.Add(X_BA.R, X_BA.p - moments.first.p, joint.X_BJ.R * Vector3d(std::cos(first), std::sin(first), 0));
+  });
+  const SmallVector solution = sums.Solve(true);
   joint = WithCenters(joint, solution);
+  joint.X_BJ.p += moments.first.p;
   joint.offset = solution[6];
   return joint;
 }
 
-Joint FitWithAxes(JointType type, Poses poses, const Axes& axes) {
-  return type == JointType::kPlanar ? FitPlanar(poses, axes) : FitAboutAxis(type, poses, axes);
+Joint FitWithAxes(JointType type, const Moments& moments, const PosePass& pass, const Axes& axes) {
+  return type == JointType::kPlanar ? FitPlanar(moments, axes) : FitAboutAxis(type, moments, pass, axes);
+}
+
+PosePass PassOver(std::span<const Transform> poses) {
+  return [poses](const std::function<void(const Transform&)>& take) {
+    for (const Transform& X_BA : poses) take(X_BA);
+  };
 }
 
 }  // namespace
 
-void Unwrap(std::span<double> angles) {
+double ContinuousWith(double angle, double previous) {
   constexpr double kTurn = 2 * std::numbers::pi;
-  for (std::size_t i = 1; i < angles.size(); ++i) {
-    angles[i] -= kTurn * std::round((angles[i] - angles[i - 1]) / kTurn);
-  }
+  return angle - kTurn * std::round((angle - previous) / kTurn);
 }
 
-Joint FitLeastSquares(JointType type, Poses poses) {
+void Unwrap(std::span<double> angles) {
+  for (std::size_t i = 1; i < angles.size(); ++i) angles[i] = ContinuousWith(angles[i], angles[i - 1]);
+}
+
+Joint FitLeastSquares(JointType type, const PosePass& pass) {
+  const Moments moments(pass);
   switch (type) {
     case JointType::kRigid:
-      return FitRigid(poses);
+      return FitRigid(moments);
     case JointType::kPrismatic:
-      return FitPrismatic(poses);
+      return FitPrismatic(moments);
     case JointType::kSpherical:
-      return FitSpherical(poses);
+      return FitSpherical(moments, pass);
     case JointType::kTwoAxis:
-      return FitTwoAxis(poses);
+      return FitTwoAxis(moments, pass);
     default:
-      return FitWithAxes(type, poses, AxesByOrientation(poses));
+      return FitWithAxes(type, moments, pass, AxesByOrientation(moments));
   }
 }
 
-std::vector<Joint> StartsOf(JointType type, Poses poses) {
+Joint FitLeastSquares(JointType type, std::span<const Transform> poses) {
+  return FitLeastSquares(type, PassOver(poses));
+}
+
+std::vector<Joint> StartsOf(JointType type, std::span<const Transform> poses) {
   std::vector<Joint> starts = {FitLeastSquares(type, poses)};
   if (type == JointType::kPlanar || type == JointType::kCylindrical || type == JointType::kScrew) {
-    starts.push_back(FitWithAxes(type, poses, AxesByMotion(poses, type == JointType::kPlanar)));
+    const PosePass pass = PassOver(poses);
+    const Moments moments(pass);
+    starts.push_back(FitWithAxes(type, moments, pass, AxesByMotion(moments, type == JointType::kPlanar)));
   }
   return starts;
 }

@@ -11,9 +11,10 @@
 ///         the others   alike: rigid, spherical (linear), cylindrical, planar.
 /// Pre     at least one pose.
 /// Errors  none: where the poses leave something open, the answer is one of many (maximum_likelihood.h tells).
-/// Cost    O(N); two passes.
+/// Cost    O(N) time in two or three passes, O(1) memory.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -23,11 +24,20 @@ namespace tact::joint {
 
 Joint FitLeastSquares(JointType type, std::span<const Transform> poses);
 
+/// Shows every pose to its argument, in order; the same ones each time it is called.
+using PosePass = std::function<void(const std::function<void(const Transform&)>&)>;
+
+/// From poses that need not fit into memory.
+Joint FitLeastSquares(JointType type, const PosePass& pass);
+
 /// The starts from which the likelihood is climbed: FitLeastSquares and, where the axis follows from how the link turns, the
 /// axis along (planar: across) which it moves.
 std::vector<Joint> StartsOf(JointType type, std::span<const Transform> poses);
 
-/// Angles made continuous along their order: each differs from the one before by less than pi [thesis, 4.4.1].
+/// The angle plus whole turns that is nearest to another.
+double ContinuousWith(double angle, double previous);
+
+/// Angles made continuous along their order: each differs from the one before by at most pi [thesis, 4.4.1].
 void Unwrap(std::span<double> angles);
 
 }  // namespace tact::joint

@@ -20,10 +20,10 @@ struct RobustOptions {
 };
 
 struct RobustFit {
-  JointFit fit;  // covariance: sandwich of the weighted equations
-  std::vector<double> weights;  // of each pose, the probability that it is right
+  JointFit fit;                       // covariance: sandwich of the weighted equations
+  std::vector<double> weights;        // of each pose, the probability that it is right
   std::vector<std::size_t> outliers;  // poses more probably wrong than right, ascending
-  double share_wrong = 0;  // e
+  double share_wrong = 0;             // e
 };
 
 /// Pre: poses not empty.

@@ -10,16 +10,6 @@ namespace {
 
 using Matrix9 = Eigen::Matrix<double, 9, 9>;
 
-// Sum of vec(R) vec(R)^T over the poses, by columns of R.
-Matrix9 SecondMoment(std::span<const Transform> poses) {
-  Matrix9 sum = Matrix9::Zero();
-  for (const Transform& X_BA : poses) {
-    const Eigen::Map<const Eigen::Matrix<double, 9, 1>> r(X_BA.R.data());
-    sum.noalias() += r * r.transpose();
-  }
-  return sum / static_cast<double>(poses.size());
-}
-
 // The quadratic form in v of mean (u . R v)^2.
 Eigen::Matrix3d FormInV(const Matrix9& moment, const Eigen::Vector3d& u) {
   Eigen::Matrix3d form;
@@ -66,8 +56,8 @@ bool operator<(const Cell& a, const Cell& b) { return a.bound > b.bound; }
 
 }  // namespace
 
-TwoAxes FindTwoAxes(std::span<const Transform> poses) {
-  const Matrix9 moment = SecondMoment(poses);
+TwoAxes FindTwoAxes(const OrientationMoment& orientations) {
+  const Matrix9 moment = orientations.Mean();
   TwoAxes best{Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY(), 2, 0};
   std::priority_queue<Cell> cells;
   const auto visit = [&](Cell cell, double least) {
@@ -100,6 +90,12 @@ TwoAxes FindTwoAxes(std::span<const Transform> poses) {
     best.rms = rms;
   }
   return best;
+}
+
+TwoAxes FindTwoAxes(std::span<const Transform> poses) {
+  OrientationMoment moment;
+  for (const Transform& X_BA : poses) moment.Add(X_BA.R);
+  return FindTwoAxes(moment);
 }
 
 }  // namespace tact::joint

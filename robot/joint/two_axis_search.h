@@ -15,12 +15,29 @@ namespace tact::joint {
 
 inline constexpr double kSearchGap = 1e-3;  // radian, root mean square
 
+/// Sum of vec(R) vec(R)^T over orientations, all that the search needs of them.
+class OrientationMoment {
+ public:
+  void Add(const Eigen::Matrix3d& R) {
+    const Eigen::Map<const Eigen::Matrix<double, 9, 1>> r(R.data());
+    sum_.noalias() += r * r.transpose();
+    count_ += 1;
+  }
+  Eigen::Matrix<double, 9, 9> Mean() const { return sum_ / count_; }
+
+ private:
+  Eigen::Matrix<double, 9, 9> sum_ = Eigen::Matrix<double, 9, 9>::Zero();  // R by columns
+  double count_ = 0;
+};
+
 struct TwoAxes {
   Eigen::Vector3d u_B, v_A;
   double rms = 0;  // of u . R_i v
   int evaluations = 0;
 };
 
+/// Pre: at least one orientation.
+TwoAxes FindTwoAxes(const OrientationMoment& orientations);
 TwoAxes FindTwoAxes(std::span<const Transform> poses);
 
 }  // namespace tact::joint
