@@ -30,7 +30,7 @@ ExitStatus RunJoint(const JointOptions& options) {
   if (logs.size() > 1 && options.inverse)
     throw InputError("--inverse: expected one log, got two; exchange the files instead");
   JointAnswer answer = AnswerJoint(
-      logs.size() == 1 ? SeriesOf(logs[0], options.inverse) : SeriesOf(logs[0], logs[1], options.time_limit),
+      logs.size() == 1 ? joint::SeriesOf(logs[0], options.inverse) : joint::SeriesOf(logs[0], logs[1], options.time_limit),
       options);
   for (const input::PoseLog& log : logs) {
     answer.read.push_back(log.name + ": " + std::to_string(log.poses.size()) + " poses, " + log.description);
