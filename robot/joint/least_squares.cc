@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "robot/joint/small_matrix.h"
-#include "robot/joint/two_axis_search.h"
 
 namespace tact::joint {
 namespace {
@@ -24,11 +23,14 @@ struct Moments {
   Vector3d locations = Vector3d::Zero();
   Matrix3d squares = Matrix3d::Zero();
 
-  explicit Moments(const PosePass& pass) {
-    pass([this](const Transform& X_BA) {
+  OrientationMoment second;  // of two-axis joints only
+
+  Moments(const PosePass& pass, JointType type) {
+    pass([this, type](const Transform& X_BA) {
       if (count == 0) first = X_BA;
       count += 1;
       orientations += X_BA.R;
+      if (type == JointType::kTwoAxis) second.Add(X_BA.R);
       const Vector3d p = X_BA.p - first.p;
       locations += p;
       squares.noalias() += p * p.transpose();
@@ -161,33 +163,8 @@ Joint FitPlanar(const Moments& moments, const Axes& axes) {
   return joint;
 }
 
-Joint FitTwoAxis(const Moments& moments, const PosePass& pass) {
-  OrientationMoment moment;
-  pass([&](const Transform& X_BA) { moment.Add(X_BA.R); });
-  const TwoAxes axes = FindTwoAxes(moment);
-  Joint joint{JointType::kTwoAxis, {FrameWithZ(axes.u_B), Vector3d::Zero()}, {}, 0, 0};
-  const Matrix3d frame = FrameWithZ(axes.v_A);  // x y z; J_A has its y along v_A
-  joint.X_AJ.R << frame.col(1), frame.col(2), frame.col(0);
-  CenterSums sums;
-  pass([&](const Transform& X_BA) {
-    const double first = CoordinatesNear(joint, X_BA)[0];
-    sums.Add(X_BA.R, X_BA.p - moments.first.p, joint.X_BJ.R * Vector3d(std::cos(first), std::sin(first), 0));
-  });
-  const SmallVector solution = sums.Solve(true);
-  joint = WithCenters(joint, solution);
-  joint.X_BJ.p += moments.first.p;
-  joint.offset = solution[6];
-  return joint;
-}
-
 Joint FitWithAxes(JointType type, const Moments& moments, const PosePass& pass, const Axes& axes) {
   return type == JointType::kPlanar ? FitPlanar(moments, axes) : FitAboutAxis(type, moments, pass, axes);
-}
-
-PosePass PassOver(std::span<const Transform> poses) {
-  return [poses](const std::function<void(const Transform&)>& take) {
-    for (const Transform& X_BA : poses) take(X_BA);
-  };
 }
 
 }  // namespace
@@ -201,8 +178,29 @@ void Unwrap(std::span<double> angles) {
   for (std::size_t i = 1; i < angles.size(); ++i) angles[i] = ContinuousWith(angles[i], angles[i - 1]);
 }
 
+Joint FitCenters(const TwoAxes& axes, const PosePass& pass) {
+  Joint joint{JointType::kTwoAxis, {FrameWithZ(axes.u_B), Vector3d::Zero()}, {}, 0, 0};
+  const Matrix3d frame = FrameWithZ(axes.v_A);  // x y z; J_A has its y along v_A
+  joint.X_AJ.R << frame.col(1), frame.col(2), frame.col(0);
+  CenterSums sums;
+  pass([&](const Transform& X_BA) {
+    const double first = CoordinatesNear(joint, X_BA)[0];
+    sums.Add(X_BA.R, X_BA.p, joint.X_BJ.R * Vector3d(std::cos(first), std::sin(first), 0));
+  });
+  const SmallVector solution = sums.Solve(true);
+  joint = WithCenters(joint, solution);
+  joint.offset = solution[6];
+  return joint;
+}
+
+PosePass PassOver(std::span<const Transform> poses) {
+  return [poses](const std::function<void(const Transform&)>& take) {
+    for (const Transform& X_BA : poses) take(X_BA);
+  };
+}
+
 Joint FitLeastSquares(JointType type, const PosePass& pass) {
-  const Moments moments(pass);
+  const Moments moments(pass, type);
   switch (type) {
     case JointType::kRigid:
       return FitRigid(moments);
@@ -211,7 +209,7 @@ Joint FitLeastSquares(JointType type, const PosePass& pass) {
     case JointType::kSpherical:
       return FitSpherical(moments, pass);
     case JointType::kTwoAxis:
-      return FitTwoAxis(moments, pass);
+      return FitCenters(FindTwoAxes(moments.second), pass);
     default:
       return FitWithAxes(type, moments, pass, AxesByOrientation(moments));
   }
@@ -225,7 +223,7 @@ std::vector<Joint> StartsOf(JointType type, std::span<const Transform> poses) {
   std::vector<Joint> starts = {FitLeastSquares(type, poses)};
   if (type == JointType::kPlanar || type == JointType::kCylindrical || type == JointType::kScrew) {
     const PosePass pass = PassOver(poses);
-    const Moments moments(pass);
+    const Moments moments(pass, type);
     starts.push_back(FitWithAxes(type, moments, pass, AxesByMotion(moments, type == JointType::kPlanar)));
   }
   return starts;

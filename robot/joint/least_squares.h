@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "robot/joint/joint.h"
+#include "robot/joint/two_axis_search.h"
 
 namespace tact::joint {
 
@@ -29,6 +30,10 @@ using PosePass = std::function<void(const std::function<void(const Transform&)>&
 
 /// From poses that need not fit into memory.
 Joint FitLeastSquares(JointType type, const PosePass& pass);
+
+/// The two-axis joint of least squares for given axes.
+Joint FitCenters(const TwoAxes& axes, const PosePass& pass);
+PosePass PassOver(std::span<const Transform> poses);
 
 /// The starts from which the likelihood is climbed: FitLeastSquares and, where the axis follows from how the link turns, the
 /// axis along (planar: across) which it moves.

@@ -7,7 +7,8 @@ namespace tact::joint {
 PoseEquations EquationsAt(const Joint& joint, const Coordinates& q, const Transform& X_BA,
                           const NoiseScale& noise) {
   JointJacobian jacobian = JacobianAt(joint, q);
-  PoseEquations pose{jacobian.parameters, PoseError(joint, q, X_BA), Eigen::Vector3d::Zero(), 0, 0, 0};
+  PoseEquations pose{
+      jacobian.parameters, PoseError(joint, q, X_BA), Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero(), 0, 0};
   const auto weigh = [&noise](auto& rows) {
     rows.template topRows<3>() /= noise.rotation;
     rows.template bottomRows<3>() /= noise.translation;
@@ -19,7 +20,7 @@ PoseEquations EquationsAt(const Joint& joint, const Coordinates& q, const Transf
   // Gram and Schmidt; a column that adds nothing moves no coordinate.
   const Eigen::Index dof = jacobian.coordinates.cols();
   CoordinateJacobian& Q = jacobian.coordinates;
-  Eigen::Matrix3d T = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d& T = pose.T;
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
   for (Eigen::Index i = 0; i < dof; ++i) {
     const double length = Q.col(i).norm();
@@ -34,7 +35,6 @@ PoseEquations EquationsAt(const Joint& joint, const Coordinates& q, const Transf
       continue;
     }
     Q.col(i) /= T(i, i);
-    pose.log_volume += std::log(T(i, i));
     right[i] = Q.col(i).dot(pose.error);
     pose.error -= right[i] * Q.col(i);
     pose.parameters.noalias() -= Q.col(i) * (Q.col(i).transpose() * pose.parameters).eval();

@@ -18,7 +18,7 @@ struct PoseEquations {
   ParameterJacobian parameters;  // P J_p
   Vector6 error;                 // P error
   Eigen::Vector3d step;          // the best dq at dp = 0
-  double log_volume = 0;         // log det J_q^T J_q / 2
+  Eigen::Matrix3d T;             // upper triangle; a coordinate that moves nothing has a zero on the diagonal
   double turning = 0;  // redundancy of orientations that the coordinates take: squared norm of Q's upper half
   double coupling = 0;  // squared norm of P's upper right quarter
 

@@ -54,7 +54,24 @@ struct Cell {
 };
 bool operator<(const Cell& a, const Cell& b) { return a.bound > b.bound; }
 
+TwoAxes Polished(const Matrix9& moment, const Eigen::Vector3d& u_B) {
+  TwoAxes best{u_B, Eigen::Vector3d::UnitY(), 2, 0};
+  for (int turn = 0; turn < 50; ++turn) {
+    best.v_A = EigenOf(FormInV(moment, best.u_B)).vectors.col(0);
+    const SymmetricEigen3 in_u = EigenOf(FormInU(moment, best.v_A));
+    best.u_B = in_u.vectors.col(0);
+    const double rms = Root(in_u.values[0]);
+    if (best.rms - rms < 1e-14) break;
+    best.rms = rms;
+  }
+  return best;
+}
+
 }  // namespace
+
+TwoAxes PolishTwoAxes(const OrientationMoment& orientations, const Eigen::Vector3d& u_B) {
+  return Polished(orientations.Mean(), u_B);
+}
 
 TwoAxes FindTwoAxes(const OrientationMoment& orientations) {
   const Matrix9 moment = orientations.Mean();
@@ -81,14 +98,9 @@ TwoAxes FindTwoAxes(const OrientationMoment& orientations) {
       }
     }
   }
-  for (int turn = 0; turn < 50; ++turn) {
-    best.v_A = EigenOf(FormInV(moment, best.u_B)).vectors.col(0);
-    const SymmetricEigen3 in_u = EigenOf(FormInU(moment, best.v_A));
-    best.u_B = in_u.vectors.col(0);
-    const double rms = Root(in_u.values[0]);
-    if (best.rms - rms < 1e-14) break;
-    best.rms = rms;
-  }
+  const int evaluations = best.evaluations;
+  best = Polished(moment, best.u_B);
+  best.evaluations = evaluations;
   return best;
 }
 

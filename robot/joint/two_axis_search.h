@@ -40,4 +40,7 @@ struct TwoAxes {
 TwoAxes FindTwoAxes(const OrientationMoment& orientations);
 TwoAxes FindTwoAxes(std::span<const Transform> poses);
 
+/// The local least sum that turns between u and v lead to, from one u.
+TwoAxes PolishTwoAxes(const OrientationMoment& orientations, const Eigen::Vector3d& u_B);
+
 }  // namespace tact::joint
