@@ -39,8 +39,10 @@ std::string Numbers(const Eigen::Vector4d& value, int count, double scale, int d
 
 std::string Degrees(double radian) { return fmt::format("{:.2g} deg", radian * kDegrees); }
 
+// Errors are small: they stand in millimetres where the unit is metric.
 std::string ShortLength(double metres, cad::LengthUnit unit) {
-  return fmt::format("{:.2g} {}", InUnit(metres, unit), ToString(unit));
+  const auto small = unit == cad::LengthUnit::kInch ? unit : cad::LengthUnit::kMillimetre;
+  return fmt::format("{:.2g} {}", InUnit(metres, small), ToString(small));
 }
 
 JointRow RowOf(const JointAnswer& answer, const NamedParameter& parameter, cad::LengthUnit unit) {
@@ -152,10 +154,10 @@ std::string OutlierLines(const JointAnswer& answer) {
 std::string JointToText(const JointAnswer& answer, cad::LengthUnit unit) {
   std::string text = JointTitle(answer) + "\n";
   const auto line = [&text](std::string_view name, std::string_view value) {
-    text += fmt::format("  {:<26}{}\n", name, value);
+    text += fmt::format("  {:<30}{}\n", name, value);
   };
   for (const JointRow& row : ParameterRows(answer, unit))
-    text += fmt::format("  {:<26}{:<5}{:<44}{}\n", row.name, row.frame, row.value, row.error);
+    text += fmt::format("  {:<30}{:<5}{:<44}{}\n", row.name, row.frame, row.value, row.error);
   if (answer.type) {
     for (const std::string& range : CoordinateRanges(answer, unit)) line("moved through", range);
     line("noise", NoiseText(answer, unit));

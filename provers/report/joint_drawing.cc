@@ -87,7 +87,7 @@ class Drawing {
   std::string Finish();
 
  private:
-  ViewPoint At(const Vector3d& point) const { return projection_(Triple(point)); }
+  ViewPoint At(const Vector3d& point) const { return projection_.At(Triple(point)); }
   static View ViewOf(const std::optional<Axis>& axis, JointType type, const Vector3d& middle, JointView view);
   std::vector<ViewPoint> Everything() const;
   void DrawBand(SvgCanvas* canvas) const;
