@@ -9,6 +9,7 @@ namespace tact::joint {
 namespace {
 
 const double kLogTwoPi = std::log(2 * std::numbers::pi);
+constexpr double kMargin = 0.1;  // metre: a wrong pose may lie this far outside the box of all
 constexpr double kLeastInformation =
     1e-12;  // of a coordinate that moves nothing, 1 / radian^2 or 1 / metre^2
 
@@ -60,6 +61,18 @@ double LogDensity(const CoordinateSpread& spread, JointType type, const Coordina
   for (int i = 0; i < spread.dof; ++i) log_volume += equations.T(i, i) > 0 ? std::log(equations.T(i, i)) : 0;
   return -equations.Squares() / 2 - 3 * (kLogTwoPi + std::log(noise.rotation) + std::log(noise.translation)) +
          spread.dof * kLogTwoPi / 2 - log_volume + coordinates;
+}
+
+double LogAnywhere(std::span<const Transform> poses) {
+  Eigen::Vector3d low = poses.front().p, high = low;
+  for (const Transform& X_BA : poses) low = low.cwiseMin(X_BA.p), high = high.cwiseMax(X_BA.p);
+  const double orientations = 8 * std::numbers::pi * std::numbers::pi;
+  return -std::log(orientations * ((high - low).array() + kMargin).prod());
+}
+
+double LogMixture(double density, double anywhere, double share) {
+  const double good = std::log1p(-share) + density, bad = std::log(share) + anywhere;
+  return std::max(good, bad) + std::log1p(std::exp(-std::abs(good - bad)));
 }
 
 }  // namespace tact::joint

@@ -28,4 +28,10 @@ CoordinateSpread SpreadOf(int dof, std::span<const Coordinates> coordinates,
 double LogDensity(const CoordinateSpread& spread, JointType type, const Coordinates& q,
                   const PoseEquations& equations, const NoiseScale& noise);
 
+/// The log density of a pose that may lie anywhere: any orientation alike, the origin in the box of all poses and a margin about it.
+double LogAnywhere(std::span<const Transform> poses);
+
+/// log((1 - share) exp(density) + share exp(anywhere)).
+double LogMixture(double density, double anywhere, double share);
+
 }  // namespace tact::joint

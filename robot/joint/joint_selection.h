@@ -1,10 +1,12 @@
 /// @file
 /// Which type of joint the poses show, or why they cannot tell.
 /// Model   Each type's marginal likelihood with the coordinates as normal random effects (coordinate_spread.h), so that types with
-///         many coordinates and with few compare fairly; BIC with the parameters, two scales, and the coordinates' mean and
-///         covariance counted; the sample size is the effective one of autocorrelated residuals. Types within kPlausible of the
-///         best are plausible; the answer is the plausible type that all other plausible ones generalise. If there is
-///         none, or it was not exercised enough, the answer is open.
+///         many coordinates and with few compare fairly; BIC with the parameters, two scales, the coordinates' mean and
+///         covariance counted. A tracker's errors follow one another (residuals correlate over `correlation` poses), so N poses
+///         weigh like N / correlation; they also bend smoothly what it sees, which no number of poses averages out and a joint
+///         with more freedom takes for motion: as far as residuals correlate, errors of SelectionOptions::bending are allowed for.
+///         Types within kPlausible of the best are plausible. The answer is the plausible type that all other plausible ones
+///         generalise; prismatic only if no circle of an everyday radius would do as well. Otherwise the answer is open.
 /// Exact   no.
 #pragma once
 
@@ -16,14 +18,17 @@
 
 namespace tact::joint {
 
-inline constexpr double kPlausible = 6;  // of BIC: the usual "strong evidence"
+inline constexpr int kFewestPoses = 5;
+inline constexpr double kLeastRadius = 2;  // metre: few things turn about an axis farther away
+inline constexpr double kPlausible = 6;    // of BIC: the usual "strong evidence"
 
 /// Whether every set of poses that a joint of the special type allows is one that some joint of the general type allows (as a
 /// limit: a screw of large pitch, a revolute axis far away). True for a type and itself.
 bool Generalises(JointType general, JointType special);
 
 struct TypeScore {
-  RobustFit robust;           // of the type robust.fit.joint.type
+  JointType type = JointType::kRigid;
+  RobustFit robust;
   double log_likelihood = 0;  // of all poses, nat
   int parameters = 0;         // counted by BIC
   double bic = 0;
@@ -31,16 +36,17 @@ struct TypeScore {
 };
 
 struct SelectionOptions {
-  bool robust = true;  // false: every pose is right
-  RobustOptions consensus;
+  RobustOptions robust;
+  // Root mean square of a component: a camera's calibration, a marker's own errors.
+  NoiseScale bending{0.02, 0.003};
 };
 
 struct JointSelection {
   std::optional<JointType> type;      // none: the poses cannot tell
-  std::vector<TypeScore> scores;      // in the order of kJointTypes; only of types with enough poses
+  std::vector<TypeScore> scores;      // in the order of kJointTypes; none if too few poses
   std::vector<JointType> candidates;  // plausible ones, best first
-  double effective_poses = 0;
-  std::string reason;  // one sentence, why this type or why none
+  double correlation = 1;             // over how many poses residuals repeat themselves
+  std::string reason;                 // one sentence, why this type or why none
 };
 
 /// Pre: poses not empty and finite.

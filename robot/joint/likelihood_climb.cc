@@ -28,8 +28,7 @@ NoiseScale FirstScale(const Joint& joint, const std::vector<Coordinates>& q, Pos
     count += 3 * WeightOf(weights, i);
   }
   const bool turns_freely = joint.type == JointType::kSpherical;
-  return {turns_freely ? kFirstRotation : std::max(kSmallestScale, std::sqrt(rotation / count)),
-          std::max(kSmallestScale, std::sqrt(translation / count))};
+  return {turns_freely ? kFirstRotation : std::sqrt(rotation / count), std::sqrt(translation / count)};
 }
 
 }  // namespace
@@ -48,11 +47,18 @@ std::vector<Coordinates> CoordinatesAlong(const Joint& joint, Poses poses, Weigh
 }
 
 LikelihoodClimb::LikelihoodClimb(const Joint& start, Poses poses, std::optional<NoiseScale> noise,
-                                 Weights weights)
-    : poses_(poses), scales_known_(noise.has_value()), tried_(start) {
+                                 Weights weights, const NoiseScale& least)
+    : poses_(poses),
+      scales_known_(noise.has_value()),
+      least_{std::max(kSmallestScale, least.rotation), std::max(kSmallestScale, least.translation)},
+      tried_(start) {
   fit_.joint = start;
   fit_.coordinates = CoordinatesAlong(start, poses, weights);
   fit_.noise = noise ? *noise : FirstScale(start, fit_.coordinates, poses, weights);
+  if (!noise) {
+    fit_.noise.rotation = std::max(least_.rotation, fit_.noise.rotation);
+    fit_.noise.translation = std::max(least_.translation, fit_.noise.translation);
+  }
   tried_coordinates_.resize(poses.size());
   equations_.resize(poses.size());
   tried_equations_.resize(poses.size());
@@ -95,8 +101,8 @@ void LikelihoodClimb::Step(Weights weights) {
   any_ = true;
   if (!scales_known_) {
     const std::array<double, 2> factors = ScaleFactors(normal, fit_.covariance);
-    NoiseScale next{std::max(kSmallestScale, fit_.noise.rotation * factors[0]),
-                    std::max(kSmallestScale, fit_.noise.translation * factors[1])};
+    NoiseScale next{std::max(least_.rotation, fit_.noise.rotation * factors[0]),
+                    std::max(least_.translation, fit_.noise.translation * factors[1])};
     const double turn = fit_.noise.rotation / next.rotation, move = fit_.noise.translation / next.translation;
     if (std::abs(turn - 1) > kSettledScale || std::abs(move - 1) > kSettledScale) fit_.converged = false;
     for (PoseEquations& pose : equations_) pose.error.head<3>() *= turn, pose.error.tail<3>() *= move;

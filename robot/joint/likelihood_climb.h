@@ -9,9 +9,9 @@ namespace tact::joint {
 
 class LikelihoodClimb {
  public:
-  /// noise: known, or none to estimate it.
+  /// noise: known, or none to estimate it, as no less than `least`.
   LikelihoodClimb(const Joint& start, std::span<const Transform> poses, std::optional<NoiseScale> noise,
-                  std::span<const double> weights);
+                  std::span<const double> weights, const NoiseScale& least = {});
 
   /// Evaluates the joint tried last and, if it is better, goes there. weights: empty, or of each pose.
   void Step(std::span<const double> weights);
@@ -26,6 +26,7 @@ class LikelihoodClimb {
 
   std::span<const Transform> poses_;
   bool scales_known_;
+  NoiseScale least_;
   JointFit fit_;
   Joint tried_;
   std::vector<PoseEquations> equations_, tried_equations_;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "robot/joint/consensus.h"
 #include "robot/joint/coordinate_spread.h"
@@ -15,18 +14,9 @@ namespace {
 
 using Poses = std::span<const Transform>;
 
-constexpr double kMargin = 0.1;     // metre: a wrong pose may lie this far outside the box of all
 constexpr double kMostWrong = 0.5;  // of all poses
 constexpr double kSettledWeight = 1e-3;
 constexpr int kMostIterations = 100;
-
-// Log density of a pose that may lie anywhere, a radian^3 metre^3.
-double LogAnywhere(Poses poses) {
-  Eigen::Vector3d low = poses.front().p, high = low;
-  for (const Transform& X_BA : poses) low = low.cwiseMin(X_BA.p), high = high.cwiseMax(X_BA.p);
-  const double orientations = 8 * std::numbers::pi * std::numbers::pi;
-  return -std::log(orientations * ((high - low).array() + kMargin).prod());
-}
 
 struct Expectation {
   std::vector<double> weights;
@@ -41,11 +31,10 @@ Expectation Expect(const JointFit& fit, std::span<const PoseEquations> equations
   next.log_likelihood = next.largest_change = 0;
   double right = 0;
   for (std::size_t i = 0; i < equations.size(); ++i) {
-    const double good = std::log1p(-last.share_wrong) +
-                        LogDensity(spread, fit.joint.type, fit.coordinates[i], equations[i], fit.noise);
-    const double bad = std::log(last.share_wrong) + log_anywhere;
-    next.weights[i] = 1 / (1 + std::exp(bad - good));
-    next.log_likelihood += std::max(good, bad) + std::log1p(std::exp(-std::abs(good - bad)));
+    const double density = LogDensity(spread, fit.joint.type, fit.coordinates[i], equations[i], fit.noise);
+    const double odds = std::log(last.share_wrong / (1 - last.share_wrong)) + log_anywhere - density;
+    next.weights[i] = 1 / (1 + std::exp(odds));
+    next.log_likelihood += LogMixture(density, log_anywhere, last.share_wrong);
     next.largest_change = std::max(next.largest_change, std::abs(next.weights[i] - last.weights[i]));
     right += next.weights[i];
   }
@@ -80,7 +69,8 @@ RobustFit FitRobustly(JointType type, Poses poses, const RobustOptions& options)
   for (std::size_t i = 0; i < poses.size(); ++i) {
     if (start.weights[i] > 0) near.push_back(poses[i]);
   }
-  LikelihoodClimb climb(InNormalForm(start.joint, near), poses, std::nullopt, start.weights);
+  LikelihoodClimb climb(InNormalForm(start.joint, near), poses, std::nullopt, start.weights,
+                        options.least_noise);
   const double log_anywhere = LogAnywhere(poses);
   Expectation expectation{start.weights, 0.2, 0, 1};
   climb.Step(expectation.weights);

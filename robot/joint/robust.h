@@ -15,7 +15,8 @@ namespace tact::joint {
 
 struct RobustOptions {
   std::uint64_t seed = 1;
-  int samples = 50;  // of the consensus
+  int samples = 50;        // of the consensus
+  NoiseScale least_noise;  // the scales are estimated as at least these
 };
 
 struct RobustFit {
