@@ -65,7 +65,7 @@ struct KnotOptions {
 struct JointOptions {
   std::vector<std::string> files;    // one log of A in B, or one of A and one of B in a common frame
   std::string type;                  // empty: to be found out
-  std::string method = "robust";     // "robust", or "gaussian": every pose is right
+  std::string method = "robust";     // or, with a type, "gaussian", "least-squares"
   std::string unit;                  // of locations; empty: as a header says, else m
   std::string quaternion = "xyzw";   // the order where no names tell
   bool inverse = false;              // the log is of B in A

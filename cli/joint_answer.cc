@@ -3,14 +3,26 @@
 #include <algorithm>
 #include <limits>
 
+#include "robot/joint/joint_gauge.h"
+#include "robot/joint/least_squares.h"
+
 namespace tact::cli {
 namespace {
 
 using joint::JointType;
 
+joint::JointFit FitAll(JointType type, std::span<const joint::Transform> poses, const std::string& method) {
+  if (method == "gaussian") return FitMaximumLikelihood(type, poses);
+  // One iteration evaluates the start, which stays.
+  return ClimbLikelihood(InNormalForm(FitLeastSquares(type, poses), poses), poses, {.most_iterations = 1});
+}
+
 joint::RobustFit Fit(JointType type, std::span<const joint::Transform> poses, const JointOptions& options) {
   if (options.method == "robust") return FitRobustly(type, poses, {.seed = options.seed});
-  return {joint::FitMaximumLikelihood(type, poses), std::vector<double>(poses.size(), 1), {}, 0};
+  joint::RobustFit fit;
+  fit.fit = FitAll(type, poses, options.method);
+  fit.weights.assign(poses.size(), 1);
+  return fit;
 }
 
 // Fills in what follows from the fit.
@@ -35,16 +47,13 @@ JointAnswer AnswerJoint(joint::PoseSeries series, const JointOptions& options) {
   answer.series = std::move(series);
   answer.notes = Suspicions(answer.series);
   if (options.type.empty()) {
-    joint::JointSelection selection = SelectJoint(
-        answer.series.poses, {.robust = options.method == "robust", .consensus = {.seed = options.seed}});
+    joint::JointSelection selection = SelectJoint(answer.series.poses, {.robust = {.seed = options.seed}});
     answer.type = selection.type;
     answer.reason = std::move(selection.reason);
     answer.candidates = std::move(selection.candidates);
     answer.scores = std::move(selection.scores);
     if (!answer.type) return answer;
-    answer.fit = std::find_if(answer.scores.begin(), answer.scores.end(), [&](const joint::TypeScore& score) {
-                   return score.robust.fit.joint.type == *answer.type;
-                 })->robust;
+    answer.fit = answer.scores[static_cast<size_t>(*answer.type)].robust;
   } else {
     answer.type = *std::find_if(joint::kJointTypes.begin(), joint::kJointTypes.end(),
                                 [&](JointType type) { return NameOf(type) == options.type; });

@@ -23,15 +23,18 @@ std::optional<cad::LengthUnit> UnitOf(const std::string& text) {
 }  // namespace
 
 ExitStatus RunJoint(const JointOptions& options) {
+  if (options.method != "robust" && options.type.empty())
+    throw InputError("--method " + options.method +
+                     ": expected a --type, got none; types are compared robustly");
   const auto unit = UnitOf(options.unit);
   std::vector<input::PoseLog> logs;
   for (const std::string& path : options.files)
     logs.push_back(ReadLog(path, {.unit = unit, .scalar_first = options.quaternion == "wxyz"}));
   if (logs.size() > 1 && options.inverse)
     throw InputError("--inverse: expected one log, got two; exchange the files instead");
-  JointAnswer answer = AnswerJoint(
-      logs.size() == 1 ? joint::SeriesOf(logs[0], options.inverse) : joint::SeriesOf(logs[0], logs[1], options.time_limit),
-      options);
+  JointAnswer answer = AnswerJoint(logs.size() == 1 ? joint::SeriesOf(logs[0], options.inverse)
+                                                    : joint::SeriesOf(logs[0], logs[1], options.time_limit),
+                                   options);
   for (const input::PoseLog& log : logs) {
     answer.read.push_back(log.name + ": " + std::to_string(log.poses.size()) + " poses, " + log.description);
     answer.notes.insert(answer.notes.begin(), log.notes.begin(), log.notes.end());

@@ -98,10 +98,9 @@ std::string JointToJson(const JointAnswer& answer) {
       Member("noise", known ? fmt::format(R"({{"rotation":{},"translation":{}}})", Number(fit.noise.rotation),
                                           Number(fit.noise.translation))
                             : "null"),
-      Member("scores", object(answer.scores,
-                              [](const auto& score) {
-                                return TypeName(score.robust.fit.joint.type) + ":" + Number(score.bic);
-                              })),
+      Member("scores",
+             object(answer.scores,
+                    [](const auto& score) { return TypeName(score.type) + ":" + Number(score.bic); })),
       Member("candidates", list(answer.candidates, TypeName)),
       Member("poses", std::to_string(answer.series.poses.size())),
       Member("outliers", list(answer.fit.outliers, [](size_t pose) { return std::to_string(pose); })),

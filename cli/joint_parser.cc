@@ -37,8 +37,12 @@ void AddJointCommand(CLI::App& app, std::function<ExitStatus()>& run) {
   parser->add_option("--type", options->type, "the type of joint; if not given it is found out")
       ->check(CLI::IsMember(std::set<std::string>{"rigid", "prismatic", "revolute", "screw", "cylindrical",
                                                   "spherical", "planar", "two-axis"}));
-  parser->add_option("--method", options->method, "robust: some poses may be wrong; gaussian: all are right")
-      ->check(CLI::IsMember(std::set<std::string>{"robust", "gaussian"}))
+  parser
+      ->add_option(
+          "--method", options->method,
+          "robust: some poses may be wrong; gaussian: all are right; least-squares: orientation first, then "
+          "location; the last two with --type")
+      ->check(CLI::IsMember(std::set<std::string>{"robust", "gaussian", "least-squares"}))
       ->capture_default_str();
   parser->add_option("--unit", options->unit,
                      "unit of locations: mm, cm, m or in; m if nothing says otherwise");

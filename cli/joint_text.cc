@@ -127,7 +127,7 @@ std::vector<std::vector<std::string>> ScoreRows(const JointAnswer& answer) {
                    [](const auto* a, const auto* b) { return a->bic < b->bic; });
   std::vector<std::vector<std::string>> rows;
   for (const joint::TypeScore* score : scores) {
-    rows.push_back({std::string(NameOf(score->robust.fit.joint.type)), std::to_string(score->parameters),
+    rows.push_back({std::string(NameOf(score->type)), std::to_string(score->parameters),
                     fmt::format("{:.1f}", score->bic),
                     fmt::format("{:.1f}", score->bic - scores.front()->bic),
                     score->plausible ? "plausible" : ""});
