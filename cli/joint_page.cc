@@ -1,6 +1,8 @@
 #include "cli/joint_page.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <filesystem>
 #include <numbers>
 

@@ -1,7 +1,9 @@
 #include "provers/report/joint_drawing.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "provers/report/svg_canvas.h"
