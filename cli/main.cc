@@ -9,6 +9,7 @@
 
 #include "algebra/error.h"
 #include "cli/commands.h"
+#include "cli/joint_parser.h"
 #include "cli/knot_parser.h"
 
 namespace tact::cli {
@@ -253,6 +254,7 @@ void AddCommands(CLI::App& app, Request& request) {
   AddContactsCommand(app, request);
   AddFileCommand(app, request, "recognize", "A demonstration's contact relations, transitions and sub-skills",
                  "DEMO", kRecognizeHelp, RunRecognize);
+  AddJointCommand(app, request.run);
   AddVerifyCommand(app, request);
   AddEnumerateCommand(app, request);
   AddKnotCommand(app, request.run);
