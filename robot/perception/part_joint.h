@@ -1,0 +1,27 @@
+/// @file
+/// The axis about which two parts turn, from a division of scans into them [thesis, 4.5.3, steps 4 and 5].
+/// Model   relative poses of the second part A in the first part B, one a scan, go to maximum_likelihood.h.
+/// Frames  A and B are both the first scan's frame, moved to the centroid of its points: there errors of orientation and
+///         location of an aligned part are nearly independent, as the likelihood takes them. The answer is in the first scan's
+///         frame, in which the first part stands still.
+/// Units   those of the points, radian.
+#pragma once
+
+#include "robot/joint/maximum_likelihood.h"
+#include "robot/perception/part_division.h"
+
+namespace tact::perception {
+
+struct PartAxis {
+  Vector3d point, direction;   // in the first scan's frame; the point is the axis' nearest to the second part's centroid
+  std::vector<double> angles;  // of the second part in each scan; the first scan's is 0
+  joint::JointFit fit;
+  joint::Transform X_0B;  // B in the first scan's frame
+  double direction_error = 0;  // standard deviation of the angle to the true direction, root mean square
+  double point_error = 0;      // and of the distance from the true axis at the point
+};
+
+/// Pre: the scans are divided.
+PartAxis AxisOf(const Division& division, std::span<const Vector3d> first_scan);
+
+}  // namespace tact::perception
