@@ -18,7 +18,7 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 constexpr double kNarrowing = 0.75;         // of the gate, each step
 constexpr double kTukey = 4.685;            // deviations: 95 % efficient for Gaussian noise
 constexpr double kDeviationOfMedian = 1.4826;
-constexpr double kStill = 1e-6;             // spacings: a step that moves no point farther is the last
+constexpr double kStill = 1e-4;             // spacings: a step that moves no point farther is the last
 constexpr double kSmallestResidual = 1e-9;  // spacings: scans without noise stay solvable
 constexpr std::size_t kFewestPairs = 12;    // twice the unknowns
 
@@ -81,6 +81,22 @@ Vector6 Step(const std::vector<Pair>& pairs, const Vector3d& middle, double devi
   return joint::SolveSymmetric(normal, right, 1e-9);
 }
 
+Matrix6 UnitCovariance(const std::vector<Pair>& pairs, const Transform& X_TS, const Vector3d& centroid_S) {
+  Matrix6 information = Matrix6::Zero();
+  const Transform X_ST = X_TS.Inverse();
+  for (const Pair& pair : pairs) {
+    const Vector3d normal_S = X_ST.R * pair.normal;
+    Vector6 row;
+    row << (X_ST * pair.at - centroid_S).cross(normal_S), normal_S;
+    information.noalias() += row * row.transpose();
+  }
+  // From about the centroid to about the origin: v - w x c.
+  Matrix6 shift = Matrix6::Identity();
+  const Vector3d& c = centroid_S;
+  shift.bottomLeftCorner<3, 3>() << 0, -c.z(), c.y(), c.z(), 0, -c.x(), -c.y(), c.x(), 0;
+  return shift * Matrix6(joint::PseudoInverse(information)) * shift.transpose();
+}
+
 }  // namespace
 
 Alignment Align(const Surface& source, const Surface& target, const Transform& start,
@@ -112,6 +128,7 @@ Alignment Align(const Surface& source, const Surface& target, const Transform& s
   pairs = PairsOf(source, target, found.X_TS, last_gate);
   found.inliers = static_cast<double>(pairs.size()) / static_cast<double>(source.points.size());
   found.residual = pairs.empty() ? 0 : RobustDeviation(pairs);
+  if (pairs.size() >= kFewestPairs) found.unit_covariance = UnitCovariance(pairs, found.X_TS, centroid_S);
   found.converged = found.converged && pairs.size() >= kFewestPairs;
   return found;
 }
@@ -131,7 +148,6 @@ Alignment FindAlignment(const Surface& source, const Surface& target) {
   for (double angle = -kWidest; angle <= kWidest + kBetween / 2; angle += kBetween) {
     const Eigen::Matrix3d R = joint::RotationExp(angle * shape.vectors.col(0));
     const Alignment tried = Align(few, target, {R, to - R * from}, coarse);
-    // Sharper than the gate: how much lies near its partner's plane.
     if (tried.inliers > best.inliers) best = tried;
   }
   AlignmentOptions fine;

@@ -24,6 +24,9 @@ struct Alignment {
   joint::Transform X_TS;
   double inliers = 0;   // share of the source's points that found a partner at the last gate
   double residual = 0;  // of these: a robust standard deviation of the distance from the partner's plane
+  // The covariance of X_TS' error for points of unit noise, by the inliers: of the twist [w; v] about the source's origin, in
+  // the source's frame, with X_TS found = X_TS true * (1 + twist).
+  Eigen::Matrix<double, 6, 6> unit_covariance = Eigen::Matrix<double, 6, 6>::Zero();
   int steps = 0;
   bool converged = false;
 };

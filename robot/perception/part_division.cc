@@ -12,8 +12,9 @@ namespace {
 using joint::Transform;
 using Motions = std::array<Transform, 2>;
 
-constexpr std::size_t kAlignedPoints = 2500;  // more of them improve an alignment no further than it costs time
+constexpr std::size_t kSomePoints = 2500;  // enough to find a motion; the last alignment takes all
 constexpr int kMostRounds = 6;
+constexpr double kSettled = 0.002;  // share of points that still change
 // Surfaces between measured points are known no better than this share of their spacing.
 constexpr double kSmallestDeviation = 0.02;
 
@@ -22,7 +23,7 @@ double DeviationFor(const Surface& surface, double residual) {
 }
 
 Surface SomeOf(const Surface& surface) {
-  return Select(surface, EvenlySpread(surface.points.size(), kAlignedPoints));
+  return Select(surface, EvenlySpread(surface.points.size(), kSomePoints));
 }
 
 std::vector<std::uint32_t> Unexplained(const Surface& source, const Surface& target, const Transform& X_TS,
@@ -79,17 +80,25 @@ class Divider {
   explicit Divider(std::span<const std::vector<Vector3d>> scans) {
     for (const auto& points : scans) surfaces_.push_back(SurfaceOf(points));
     division_.scans.resize(scans.size());
+    for (std::size_t scan = 0; scan < scans.size(); ++scan) {
+      division_.scans[scan].noise = surfaces_[scan].noise;
+      division_.scans[scan].unit_covariances.fill(Eigen::Matrix<double, 6, 6>::Zero());
+    }
   }
 
   Division Divide() {
     if (!Start()) return division_;
     while (division_.rounds < kMostRounds) {
       ++division_.rounds;
-      for (std::size_t scan = 1; scan < surfaces_.size(); ++scan) AlignParts(scan);
-      if (!Decide(0)) break;
+      for (std::size_t scan = 1; scan < surfaces_.size(); ++scan) AlignParts(scan, kSomePoints);
+      if (Decide(0) < kSettled) break;
       if (!HasBothParts()) return CannotTell("nothing is left of one part: the scans show one rigid object");
     }
-    for (std::size_t scan = 1; scan < surfaces_.size(); ++scan) Decide(scan);
+    for (std::size_t scan = 1; scan < surfaces_.size(); ++scan) {
+      AlignParts(scan, surfaces_[0].points.size());
+      Decide(scan);
+    }
+    FirstPartLarger();
     double most = 0;
     for (const DividedScan& scan : division_.scans)
       most = std::max(most, joint::RotationLog(scan.X_S0[0].R.transpose() * scan.X_S0[1].R).norm());
@@ -138,15 +147,18 @@ class Divider {
   void Accept(std::size_t scan, std::size_t part, const Alignment& alignment) {
     division_.scans[scan].X_S0[part] = alignment.X_TS;
     division_.scans[scan].residuals[part] = alignment.residual;
+    division_.scans[scan].unit_covariances[part] = alignment.unit_covariance;
   }
 
-  Surface PointsOf(Part part) const {
+  Surface PointsOf(Part part, std::size_t most) const {
     std::vector<std::uint32_t> which;
     const std::vector<Part>& parts = division_.scans[0].parts;
     for (std::uint32_t i = 0; i < parts.size(); ++i) {
       if (parts[i] == part) which.push_back(i);
     }
-    return SomeOf(Select(surfaces_[0], which));
+    std::vector<std::uint32_t> taken;
+    for (const std::uint32_t i : EvenlySpread(which.size(), most)) taken.push_back(which[i]);
+    return Select(surfaces_[0], taken);
   }
 
   bool HasBothParts() const {
@@ -159,9 +171,10 @@ class Divider {
     return true;
   }
 
-  void AlignParts(std::size_t scan) {
+  // Each part with the scan, by some of its points in the first scan.
+  void AlignParts(std::size_t scan, std::size_t most) {
     for (std::size_t part = 0; part < 2; ++part) {
-      const Surface points = PointsOf(static_cast<Part>(part));
+      const Surface points = PointsOf(static_cast<Part>(part), most);
       std::vector<Transform> starts = {division_.scans[scan].X_S0[part]};
       AlignmentOptions options;
       if (!placed_[scan]) {
@@ -180,8 +193,21 @@ class Divider {
     placed_[scan] = true;
   }
 
-  // The parts of a scan's points by all other scans in place; whether any point changed.
-  bool Decide(std::size_t scan) {
+  void FirstPartLarger() {
+    const std::vector<Part>& parts = division_.scans[0].parts;
+    if (CountOf(Part::kFirst, parts) >= CountOf(Part::kSecond, parts)) return;
+    for (DividedScan& scan : division_.scans) {
+      std::swap(scan.X_S0[0], scan.X_S0[1]);
+      std::swap(scan.residuals[0], scan.residuals[1]);
+      std::swap(scan.unit_covariances[0], scan.unit_covariances[1]);
+      for (Part& part : scan.parts) {
+        if (part != Part::kUndecided) part = part == Part::kFirst ? Part::kSecond : Part::kFirst;
+      }
+    }
+  }
+
+  // The parts of a scan's points by all other scans in place; the share of points that changed.
+  double Decide(std::size_t scan) {
     DividedScan& divided = division_.scans[scan];
     std::vector<double> evidence(surfaces_[scan].points.size(), 0);
     for (std::size_t other = 0; other < surfaces_.size(); ++other) {
@@ -196,9 +222,10 @@ class Divider {
       }
     }
     std::vector<Part> parts = PartsBy(MeanField(surfaces_[scan], evidence));
-    const bool changed = parts != divided.parts;
+    std::size_t same = 0;
+    for (std::size_t i = 0; i < divided.parts.size(); ++i) same += parts[i] == divided.parts[i];
     divided.parts = std::move(parts);
-    return changed;
+    return 1 - static_cast<double>(same) / static_cast<double>(divided.parts.size());
   }
 
   std::vector<Surface> surfaces_;

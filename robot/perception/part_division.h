@@ -3,6 +3,7 @@
 /// Model   Two scans: the motion that explains the most points is one part's; without these points, the next is the other's.
 ///         The pair of scans (the first and another) that tells the parts apart best gives the first division; from there on
 ///         all scans decide together (part_evidence.h): parts and motions in turns until no point changes.
+///         The first part is the one with more points in the first scan.
 /// Frames  X_S0[part]: the part's motion from the first scan's frame into the scan's.
 /// Units   those of the points, radian.
 /// Pre     the scans show one object of two rigid parts, nothing else, from about the same side: turned by at most some thirty
@@ -35,7 +36,9 @@ inline constexpr double kLeastPart = 0.05;
 struct DividedScan {
   std::array<joint::Transform, 2> X_S0;
   std::array<double, 2> residuals{};  // robust standard deviation of the distance from the first scan's surface
-  std::vector<Part> parts;            // of each point
+  std::array<Eigen::Matrix<double, 6, 6>, 2> unit_covariances;  // alignment.h
+  double noise = 0;                                             // surface.h
+  std::vector<Part> parts;                                      // of each point
 };
 
 struct Division {

@@ -35,7 +35,7 @@ std::vector<double> MeanField(const Surface& surface, const std::vector<double>&
     for (std::size_t i = 0; i < evidence.size(); ++i) {
       double sum = -field[i];  // the first neighbour is the point itself
       for (const std::uint32_t j : surface.neighbours[i]) sum += field[j];
-      next[i] = std::tanh(evidence[i] + kOfEach * sum);
+      next[i] = std::tanh(std::clamp(evidence[i], -kMostEvidence, kMostEvidence) + kOfEach * sum);
     }
     field.swap(next);
   }

@@ -1,6 +1,8 @@
 /// @file
 /// The axis about which two parts turn, from a division of scans into them [thesis, 4.5.3, steps 4 and 5].
 /// Model   relative poses of the second part A in the first part B, one a scan, go to maximum_likelihood.h.
+///         The errors: each scan's points have the noise that surface.h measures; alignment makes errors of motions of it, the
+///         first scan's shared by all others; the fit, linear in small errors, makes the axis' of these.
 /// Frames  A and B are both the first scan's frame, moved to the centroid of its points: there errors of orientation and
 ///         location of an aligned part are nearly independent, as the likelihood takes them. The answer is in the first scan's
 ///         frame, in which the first part stands still.
@@ -17,6 +19,10 @@ struct PartAxis {
   std::vector<double> angles;  // of the second part in each scan; the first scan's is 0
   joint::JointFit fit;
   joint::Transform X_0B;  // B in the first scan's frame
+  // Of the axis found against the true one, in any frame J with z along it and its origin at the point: J turned about x and
+  // y, moved along x and y. frame: x, y and z of the J that is used.
+  Eigen::Matrix4d covariance;
+  Eigen::Matrix3d frame;
   double direction_error = 0;  // standard deviation of the angle to the true direction, root mean square
   double point_error = 0;      // and of the distance from the true axis at the point
 };

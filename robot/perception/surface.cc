@@ -25,6 +25,12 @@ Plane PlaneThrough(std::span<const Eigen::Vector3d> points,
   return {middle, joint::EigenOf(spread).vectors.col(0)};
 }
 
+double Median(std::vector<double> values) {
+  const auto median = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), median, values.end());
+  return *median;
+}
+
 }  // namespace
 
 Surface SurfaceOf(std::span<const Eigen::Vector3d> points) {
@@ -40,20 +46,23 @@ Surface SurfaceOf(std::span<const Eigen::Vector3d> points) {
   surface.points.reserve(points.size());
   surface.normals.reserve(points.size());
   surface.neighbours.reserve(points.size());
-  std::vector<double> gaps;
+  std::vector<double> gaps, moves;
   for (const Eigen::Vector3d& point : points) {
     const std::vector<NearPoint> near = measured.Nearest(point, kNeighbours);
     std::array<std::uint32_t, kNeighbours> which{};
     for (std::size_t k = 0; k < kNeighbours; ++k) which[k] = near[k].index;
     const Plane plane = PlaneThrough(points, which);
-    surface.points.push_back(point - plane.normal * plane.normal.dot(point - plane.middle));
+    const double move = plane.normal.dot(point - plane.middle);
+    surface.points.push_back(point - move * plane.normal);
     surface.normals.push_back(plane.normal);
     surface.neighbours.push_back(which);
     gaps.push_back(near[1].squared_distance);
+    moves.push_back(std::abs(move));
   }
-  const auto median = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
-  std::nth_element(gaps.begin(), median, gaps.end());
-  surface.spacing = std::sqrt(*median);
+  surface.spacing = std::sqrt(Median(gaps));
+  // A plane has three parameters: it follows that share of the noise.
+  constexpr double kDeviationOfMedian = 1.4826, kLeft = 1 - 3.0 / kNeighbours;
+  surface.noise = kDeviationOfMedian * Median(moves) / std::sqrt(kLeft);
   surface.tree = NearestPoints(surface.points);
   return surface;
 }
@@ -67,6 +76,7 @@ Surface Select(const Surface& surface, std::span<const std::uint32_t> which) {
     part.normals.push_back(surface.normals[i]);
   }
   part.spacing = surface.spacing;
+  part.noise = surface.noise;
   part.tree = NearestPoints(part.points);
   return part;
 }

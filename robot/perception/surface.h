@@ -21,7 +21,8 @@ inline constexpr std::size_t kFewestPoints = 50;
 struct Surface {
   std::vector<Eigen::Vector3d> points, normals;
   std::vector<std::array<std::uint32_t, kNeighbours>> neighbours;  // of each point, nearest (itself) first
-  double spacing = 0;                                              // the median distance to the nearest other point
+  double spacing = 0;  // the median distance to the nearest other point
+  double noise = 0;    // standard deviation of the points before they were moved, across their planes
   NearestPoints tree;
 };
 
