@@ -42,9 +42,11 @@ constexpr const char* kRecognizeHelp =
     "Example: tact recognize examples/peg_in_hole/demonstration.json";
 
 constexpr const char* kPartsHelp =
-    "Each SCAN is a text of points, x y z a line: the surface of one object of two rigid parts, nothing else, "
+    "Each SCAN is a text of points, x y z a line: the surface of one object of two rigid parts, nothing "
+    "else, "
     "seen from\n"
-    "about the same side, each time in another state. Lengths are in the unit of the scans, angles in JSON in "
+    "about the same side, each time in another state. Lengths are in the unit of the scans, angles in JSON "
+    "in "
     "radian.\n"
     "Points near the axis, which either part's motion explains, stay undecided (? in JSON).\n"
     "Example: tact parts examples/plier/*.xyz --svg plier.svg";
@@ -163,7 +165,8 @@ void AddContactsCommand(CLI::App& app, Request& request) {
 
 void AddPartsCommand(CLI::App& app, Request& request) {
   PartsOptions& options = request.parts;
-  CLI::App* parser = app.add_subcommand("parts", "A linkage's two parts and its axis, from scans of its states");
+  CLI::App* parser =
+      app.add_subcommand("parts", "A linkage's two parts and its axis, from scans of its states");
   parser->footer(kPartsHelp);
   parser->add_option("SCAN", options.scans, "files of points, two or more")->required();
   parser->add_option("--svg", options.svg, "draw the first scan's parts and the axis into this file");

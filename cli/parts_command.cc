@@ -26,7 +26,8 @@ std::string ToJson(const Vector3d& v) { return fmt::format("[{:.9g},{:.9g},{:.9g
 
 std::string ToJson(const joint::Transform& X) {
   const Eigen::Quaterniond q(X.R);
-  return fmt::format(R"({{"t":{},"q":[{:.9g},{:.9g},{:.9g},{:.9g}]}})", ToJson(X.p), q.w(), q.x(), q.y(), q.z());
+  return fmt::format(R"({{"t":{},"q":[{:.9g},{:.9g},{:.9g},{:.9g}]}})", ToJson(X.p), q.w(), q.x(), q.y(),
+                     q.z());
 }
 
 std::string ToJsonLine(const PartsOptions& options, const Division& division, const PartAxis& axis) {
@@ -38,8 +39,8 @@ std::string ToJsonLine(const PartsOptions& options, const Division& division, co
     std::string parts;
     for (const Part part : scan.parts) parts += "12?"[static_cast<std::size_t>(part)];
     text += fmt::format(R"({}{{"file":{},"angle":{:.9g},"motions":[{},{}],"parts":"{}"}})", i == 0 ? "" : ",",
-                        JsonString(options.scans[i]), axis.angles[i], ToJson(scan.X_S0[0]), ToJson(scan.X_S0[1]),
-                        parts);
+                        JsonString(options.scans[i]), axis.angles[i], ToJson(scan.X_S0[0]),
+                        ToJson(scan.X_S0[1]), parts);
   }
   return text + "]}\n";
 }
@@ -47,18 +48,20 @@ std::string ToJsonLine(const PartsOptions& options, const Division& division, co
 constexpr const char* kRow = "{:>4} {:>8} {:>8} {:>8} {:>10} {:>9}  {}\n";
 
 std::string ToTable(const PartsOptions& options, const Division& division, const PartAxis& axis) {
-  const auto vector = [](const Vector3d& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x(), v.y(), v.z()); };
+  const auto vector = [](const Vector3d& v) {
+    return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x(), v.y(), v.z());
+  };
   std::string text = fmt::format(
       "two parts that turn about an axis, in the frame of scan 1, lengths in the scans' unit\n"
       "axis      through {} along {}\n"
-      "          sure to {:.2g} there and to {:.2g} degrees (standard deviations)\n\n",
+      "errors    {:.2g} across at that point, {:.2g} degrees in direction (standard deviations)\n\n",
       vector(axis.point), vector(axis.direction), axis.point_error, kDegree * axis.direction_error);
   text += fmt::format(kRow, "scan", "points", "part 1", "part 2", "undecided", "turned", "file");
   for (std::size_t i = 0; i < division.scans.size(); ++i) {
     const std::vector<Part>& parts = division.scans[i].parts;
-    text += fmt::format(kRow, i + 1, parts.size(), CountOf(Part::kFirst, parts), CountOf(Part::kSecond, parts),
-                        CountOf(Part::kUndecided, parts), fmt::format("{:.2f} deg", kDegree * axis.angles[i]),
-                        options.scans[i]);
+    text += fmt::format(kRow, i + 1, parts.size(), CountOf(Part::kFirst, parts),
+                        CountOf(Part::kSecond, parts), CountOf(Part::kUndecided, parts),
+                        fmt::format("{:.2f} deg", kDegree * axis.angles[i]), options.scans[i]);
   }
   return text;
 }
@@ -86,8 +89,7 @@ ExitStatus RunParts(const PartsOptions& options) {
     return kUndecided;
   }
   const PartAxis axis = perception::AxisOf(division, scans[0]);
-  if (!options.svg.empty())
-    Draw(options.svg, provers::DrawParts(scans[0], division.scans[0].parts, &axis));
+  if (!options.svg.empty()) Draw(options.svg, provers::DrawParts(scans[0], division.scans[0].parts, &axis));
   output << (options.json ? ToJsonLine(options, division, axis) : ToTable(options, division, axis));
   output.Flush();
   return kAnswered;

@@ -15,8 +15,8 @@ using joint::Transform;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-constexpr double kNarrowing = 0.75;         // of the gate, each step
-constexpr double kTukey = 4.685;            // deviations: 95 % efficient for Gaussian noise
+constexpr double kNarrowing = 0.75;  // of the gate, each step
+constexpr double kTukey = 4.685;     // deviations: 95 % efficient for Gaussian noise
 constexpr double kDeviationOfMedian = 1.4826;
 constexpr double kStill = 1e-4;             // spacings: a step that moves no point farther is the last
 constexpr double kSmallestResidual = 1e-9;  // spacings: scans without noise stay solvable
@@ -115,14 +115,14 @@ Alignment Align(const Surface& source, const Surface& target, const Transform& s
     pairs = PairsOf(source, target, found.X_TS, gate);
     if (pairs.size() < kFewestPairs) break;
     // While the gate is wide, the distances say how far the start is off, not how good the scans are.
-    const double deviation =
-        std::max(RobustDeviation(pairs), gate > last_gate ? gate / kTukey : kSmallestResidual * target.spacing);
+    const double deviation = std::max(RobustDeviation(pairs),
+                                      gate > last_gate ? gate / kTukey : kSmallestResidual * target.spacing);
     const Vector3d middle = found.X_TS * centroid_S;
     const Vector6 step = Step(pairs, middle, deviation);
     const Eigen::Matrix3d turn = joint::RotationExp(step.head<3>());
     found.X_TS = {turn * found.X_TS.R, middle + step.tail<3>() + turn * (found.X_TS.p - middle)};
-    found.converged = gate <= last_gate &&
-                      radius * step.head<3>().norm() + step.tail<3>().norm() < kStill * target.spacing;
+    found.converged =
+        gate <= last_gate && radius * step.head<3>().norm() + step.tail<3>().norm() < kStill * target.spacing;
     gate = std::max(last_gate, kNarrowing * gate);
   }
   pairs = PairsOf(source, target, found.X_TS, last_gate);

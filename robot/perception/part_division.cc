@@ -45,7 +45,7 @@ struct TwoMotions {
   Alignment first;
   std::optional<Alignment> second;  // if enough is left
   double shared = 0;                // share of the points that either motion explains
-  double told_apart = 0;            // share of the points that just one motion explains, for the motion that has fewer
+  double told_apart = 0;  // share of the points that just one motion explains, for the motion that has fewer
 };
 
 TwoMotions FindTwoMotions(const Surface& source, const Surface& target) {
@@ -70,8 +70,7 @@ TwoMotions FindTwoMotions(const Surface& source, const Surface& target) {
     alone[1] += costs_2[i] == 0 && costs[i] == kMostCost;
   }
   found.shared = static_cast<double>(either) / static_cast<double>(costs.size());
-  found.told_apart =
-      static_cast<double>(std::min(alone[0], alone[1])) / static_cast<double>(costs.size());
+  found.told_apart = static_cast<double>(std::min(alone[0], alone[1])) / static_cast<double>(costs.size());
   return found;
 }
 
@@ -129,7 +128,8 @@ class Divider {
                    " % of their points in common: expected the same object from about the same side");
         return false;
       }
-      if (starts_[scan].second && (best == 0 || starts_[scan].told_apart > starts_[best].told_apart)) best = scan;
+      if (starts_[scan].second && (best == 0 || starts_[scan].told_apart > starts_[best].told_apart))
+        best = scan;
     }
     if (best == 0 || starts_[best].told_apart < kLeastPart / 2) {
       CannotTell("one rigid motion explains the scans: nothing moved, or too little to be seen");
@@ -140,7 +140,8 @@ class Divider {
     placed_.assign(surfaces_.size(), false);
     placed_[0] = placed_[best] = true;
     Decide(0);
-    if (!HasBothParts()) CannotTell("one rigid motion explains the scans: nothing moved, or too little to be seen");
+    if (!HasBothParts())
+      CannotTell("one rigid motion explains the scans: nothing moved, or too little to be seen");
     return division_.cannot_tell.empty();
   }
 
@@ -216,7 +217,8 @@ class Divider {
         const DividedScan& to = division_.scans[other];
         const Transform X_TS = to.X_S0[part] * divided.X_S0[part].Inverse();
         const double deviation = DeviationFor(
-            surfaces_[other], std::max({to.residuals[0], to.residuals[1], divided.residuals[0], divided.residuals[1]}));
+            surfaces_[other],
+            std::max({to.residuals[0], to.residuals[1], divided.residuals[0], divided.residuals[1]}));
         const std::vector<double> costs = CostOf(surfaces_[scan], surfaces_[other], X_TS, deviation);
         for (std::size_t i = 0; i < costs.size(); ++i) evidence[i] += (part == 0 ? -0.5 : 0.5) * costs[i];
       }

@@ -14,8 +14,8 @@
 #pragma once
 
 #include <array>
-#include <span>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -35,7 +35,8 @@ inline constexpr double kLeastPart = 0.05;
 
 struct DividedScan {
   std::array<joint::Transform, 2> X_S0;
-  std::array<double, 2> residuals{};  // robust standard deviation of the distance from the first scan's surface
+  std::array<double, 2>
+      residuals{};  // robust standard deviation of the distance from the first scan's surface
   std::array<Eigen::Matrix<double, 6, 6>, 2> unit_covariances;  // alignment.h
   double noise = 0;                                             // surface.h
   std::vector<Part> parts;                                      // of each point

@@ -21,9 +21,10 @@ enum class Part : std::uint8_t { kFirst, kSecond, kUndecided };
 
 inline constexpr double kExplainedByNoise = 4;  // squared deviations: 95 % of the points
 inline constexpr double kMostCost = 5;
-inline constexpr double kCoupling = 0.9;   // of all neighbours together; from 1 on, evidence would not fade
-inline constexpr double kMostEvidence = 1;  // of one point: not enough to be decided without neighbours that agree
-inline constexpr double kDecided = 0.85;    // |m| from which a point counts as decided
+inline constexpr double kCoupling = 0.9;  // of all neighbours together; from 1 on, evidence would not fade
+inline constexpr double kMostEvidence =
+    1;  // of one point: not enough to be decided without neighbours that agree
+inline constexpr double kDecided = 0.85;  // |m| from which a point counts as decided
 
 /// The cost of each point of the source under the motion.
 std::vector<double> CostOf(const Surface& source, const Surface& target, const joint::Transform& X_TS,

@@ -1,6 +1,7 @@
 #include "robot/perception/part_joint.h"
 
 #include <cmath>
+#include <numeric>
 
 #include "robot/joint/small_matrix.h"
 
@@ -62,6 +63,16 @@ joint::ParameterMatrix CovarianceOf(const Division& division, const PartAxis& ax
   return covariance;
 }
 
+// The same axis the other way round.
+void Reverse(PartAxis* axis) {
+  const Vector3d half_turn_about_x(1, -1, -1);
+  axis->frame *= half_turn_about_x.asDiagonal();
+  axis->direction = -axis->direction;
+  for (double& angle : axis->angles) angle = -angle;
+  const Eigen::Vector4d signs(1, -1, 1, -1);
+  axis->covariance = signs.asDiagonal() * axis->covariance * signs.asDiagonal();
+}
+
 }  // namespace
 
 PartAxis AxisOf(const Division& division, std::span<const Vector3d> first_scan) {
@@ -88,6 +99,7 @@ PartAxis AxisOf(const Division& division, std::span<const Vector3d> first_scan) 
   to_point(2, 1) = along;
   to_point(3, 0) = -along;
   axis.covariance = to_point * CovarianceOf(division, axis).topLeftCorner<4, 4>() * to_point.transpose();
+  if (std::accumulate(axis.angles.begin(), axis.angles.end(), 0.0) < 0) Reverse(&axis);
   axis.direction_error = std::sqrt(axis.covariance.topLeftCorner<2, 2>().trace());
   axis.point_error = std::sqrt(axis.covariance.bottomRightCorner<2, 2>().trace());
   return axis;

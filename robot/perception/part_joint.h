@@ -15,8 +15,10 @@
 namespace tact::perception {
 
 struct PartAxis {
-  Vector3d point, direction;   // in the first scan's frame; the point is the axis' nearest to the second part's centroid
-  std::vector<double> angles;  // of the second part in each scan; the first scan's is 0
+  Vector3d point,
+      direction;  // in the first scan's frame; the point is the axis' nearest to the second part's centroid
+  std::vector<double>
+      angles;  // of the second part in each scan; the first scan's is 0, most others are positive
   joint::JointFit fit;
   joint::Transform X_0B;  // B in the first scan's frame
   // Of the axis found against the true one, in any frame J with z along it and its origin at the point: J turned about x and

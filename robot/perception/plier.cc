@@ -89,7 +89,8 @@ void AddBar(TriangleMesh* mesh) {
   const auto middle = [](const Station& s) { return Vector3d(s[0], s[1], (s[3] + s[4]) / 2); };
   Tube tube(middle(line.front()) - Vector3d(2, 0, 0), mesh);
   for (std::size_t i = 0; i < line.size(); ++i) {
-    const Station &s = line[i], &from = line[i == 0 ? 0 : i - 1], &to = line[std::min(i + 1, line.size() - 1)];
+    const Station &s = line[i], &from = line[i == 0 ? 0 : i - 1],
+                  &to = line[std::min(i + 1, line.size() - 1)];
     const Vector3d along = Vector3d(to[0] - from[0], to[1] - from[1], 0).normalized();
     const Vector3d across = Vector3d::UnitZ().cross(along);
     tube.Ring([&](double angle) {

@@ -21,7 +21,8 @@ std::vector<Eigen::Vector3d> ReadPoints(std::string_view contents, const std::st
     if (columns < 3) lines.Fail("a point, x y z");
     if (words.size() != columns) lines.Fail(std::to_string(columns) + " numbers as in the lines before");
     for (const std::string_view word : words) lines.CheckNumber(word, nullptr);
-    points.emplace_back(*cad::ParseFinite(words[0]), *cad::ParseFinite(words[1]), *cad::ParseFinite(words[2]));
+    points.emplace_back(*cad::ParseFinite(words[0]), *cad::ParseFinite(words[1]),
+                        *cad::ParseFinite(words[2]));
   }
   if (points.size() < kFewestPoints)
     lines.Fail("a scan of at least " + std::to_string(kFewestPoints) + " points, x y z a line",

@@ -39,7 +39,7 @@ struct PosedMesh {
 struct RangeCamera {
   int width = 640, height = 480;
   double focal = 1940;
-  double noise = 0;                              // standard deviation along the ray
+  double noise = 0;                             // standard deviation along the ray
   double lost_from = 1.22, lost_surely = 1.48;  // angles between ray and normal: 70 and 85 degrees
 
   /// Through the centre of a pixel, counted from 0; z is 1.
@@ -55,6 +55,7 @@ struct LabelledPoints {
 };
 
 /// What the camera measures of the scene.
-LabelledPoints TakeRangeImage(const RangeCamera& camera, std::span<const PosedMesh> scene, std::uint64_t seed);
+LabelledPoints TakeRangeImage(const RangeCamera& camera, std::span<const PosedMesh> scene,
+                              std::uint64_t seed);
 
 }  // namespace tact::perception
