@@ -4,9 +4,10 @@ namespace tact::provers {
 
 std::vector<Claim> AllClaims() {
   std::vector<Claim> all;
-  for (auto part : {DisplacementClaims(), PropositionClaims(), MotionDofClaims(), DofClassClaims(),
-                    DofTransitionClaims(), SubSkillRuleClaims(), TransitionFrequencyClaims(),
-                    SingularClaims(), PegInsertionClaims(), KnotMoveClaims(), KnotTyingClaims()}) {
+  for (auto part :
+       {DisplacementClaims(), PropositionClaims(), MotionDofClaims(), DofClassClaims(), DofTransitionClaims(),
+        SubSkillRuleClaims(), TransitionFrequencyClaims(), SingularClaims(), PegInsertionClaims(),
+        PlierClaims(), KnotMoveClaims(), KnotTyingClaims()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;

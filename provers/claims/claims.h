@@ -26,6 +26,8 @@ std::vector<Claim> SubSkillRuleClaims();
 std::vector<Claim> TransitionFrequencyClaims();
 /// [thesis, 2.8.2]: the peg insertion and its seven transitions.
 std::vector<Claim> PegInsertionClaims();
+/// [thesis, 4.5.3]: the two parts of a plier from range images, and its axis.
+std::vector<Claim> PlierClaims();
 /// [thesis, 5.2 and 5.3]: the rules that detect moves, Propositions 10 to 15.
 std::vector<Claim> KnotMoveClaims();
 /// [thesis, 5.2.3 and 5.4.2]: sufficiency, knots that are tied and recognized.

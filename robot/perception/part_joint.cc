@@ -105,4 +105,15 @@ PartAxis AxisOf(const Division& division, std::span<const Vector3d> first_scan) 
   return axis;
 }
 
+AxisError ErrorOf(const PartAxis& axis, const Vector3d& true_point, const Vector3d& true_direction) {
+  const double sign = true_direction.dot(axis.direction) < 0 ? -1 : 1;
+  const Vector3d z = sign * (axis.frame.transpose() * true_direction.normalized());
+  const Vector3d p = axis.frame.transpose() * (true_point - axis.point);
+  // J turned by w has the z axis (w_y, -w_x, 1); the true axis passes J's plane z = 0 there.
+  const Eigen::Vector2d slope = z.head<2>() / z.z(), shift = p.head<2>() - p.z() * slope;
+  const Eigen::Vector4d e(-slope.y(), slope.x(), shift.x(), shift.y());
+  return {std::atan(slope.norm()), shift.norm(),
+          e.dot(Eigen::Vector4d(joint::PseudoInverse(axis.covariance) * e))};
+}
+
 }  // namespace tact::perception

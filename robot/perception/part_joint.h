@@ -32,4 +32,12 @@ struct PartAxis {
 /// Pre: the scans are divided.
 PartAxis AxisOf(const Division& division, std::span<const Vector3d> first_scan);
 
+/// How far the axis found is from the true one.
+struct AxisError {
+  double direction = 0;  // radian
+  double point = 0;      // distance of the point from the true axis
+  double squared = 0;  // e^T C^-1 e, C the covariance: chi squared with four degrees of freedom if C is right
+};
+AxisError ErrorOf(const PartAxis& axis, const Vector3d& true_point, const Vector3d& true_direction);
+
 }  // namespace tact::perception

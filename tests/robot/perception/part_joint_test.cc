@@ -36,19 +36,11 @@ Division ExactDivision() {
   return division;
 }
 
-// The errors that covariance is about.
-Eigen::Vector4d ErrorsOf(const PartAxis& axis, const Vector3d& point, const Vector3d& direction) {
-  const double sign = direction.dot(axis.direction) < 0 ? -1 : 1;
-  const Vector3d u = sign * (axis.frame.transpose() * direction),
-                 m = axis.frame.transpose() * (point - axis.point);
-  return {-u.y() / u.z(), u.x() / u.z(), m.x() - m.z() * u.x() / u.z(), m.y() - m.z() * u.y() / u.z()};
-}
-
 TEST(PartJoint, ExactMotionsGiveTheExactAxis) {
   const PartAxis axis = AxisOf(ExactDivision(), kCentre);
   EXPECT_LT(axis.direction.cross(kDirection).norm(), 1e-9);
   EXPECT_GT(axis.direction.dot(kDirection), 0);  // the angles are positive
-  EXPECT_LT(ErrorsOf(axis, kPoint, kDirection).norm(), 1e-9);
+  EXPECT_LT(ErrorOf(axis, kPoint, kDirection).point, 1e-9);
   for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(axis.angles[i], 0.12 * double(i), 1e-9);
   EXPECT_EQ(axis.direction_error, 0);
 }
@@ -84,8 +76,7 @@ TEST(PartJoint, ItsCovarianceIsThatOfTheErrors) {
       }
     }
     const PartAxis axis = AxisOf(division, kCentre);
-    const Eigen::Vector4d e = ErrorsOf(axis, kPoint, kDirection);
-    sum += e.dot(axis.covariance.ldlt().solve(e));
+    sum += ErrorOf(axis, kPoint, kDirection).squared;
   }
   EXPECT_NEAR(sum / kTrials, 4, 5 * std::sqrt(8.0 / kTrials));
 }
@@ -96,9 +87,9 @@ TEST(PartJoint, ThePinOfAScannedPlierIsFound) {
   const Division division = DivideTwoParts(points);
   ASSERT_EQ(division.cannot_tell, "");
   const PartAxis axis = AxisOf(division, points[0]);
-  const Eigen::Vector4d e = ErrorsOf(axis, scans[0].X_CL.p, scans[0].X_CL.R.col(2));
-  EXPECT_LT(e.head<2>().norm(), 0.04);    // some 0.6 degrees are expected
-  EXPECT_LT(e.tail<2>().norm(), 0.0008);  // and 0.2 mm
+  const AxisError error = ErrorOf(axis, scans[0].X_CL.p, scans[0].X_CL.R.col(2));
+  EXPECT_LT(error.direction, 0.04);  // some 0.6 degrees are expected
+  EXPECT_LT(error.point, 0.0008);    // and 0.2 mm
   EXPECT_LT(e.dot(axis.covariance.ldlt().solve(e)),
             18.5);  // 99.9 % of chi squared with four degrees of freedom
   for (std::size_t i = 0; i < scans.size(); ++i) EXPECT_NEAR(axis.angles[i], scans[i].opening, 0.004);
@@ -113,8 +104,8 @@ TEST(FullPartJoint, NinetyFivePercentRegionsHoldThePin) {
     const Division division = DivideTwoParts(points);
     ASSERT_EQ(division.cannot_tell, "") << seed;
     const PartAxis axis = AxisOf(division, points[0]);
-    const Eigen::Vector4d e = ErrorsOf(axis, scans[0].X_CL.p, scans[0].X_CL.R.col(2));
-    inside += e.dot(axis.covariance.ldlt().solve(e)) < 9.488;  // chi squared with four degrees of freedom
+    inside += ErrorOf(axis, scans[0].X_CL.p, scans[0].X_CL.R.col(2)).squared <
+              9.488;  // chi squared with four degrees of freedom
   }
   EXPECT_GE(inside, 33);  // of 40 at 95 %, fewer come once in a thousand times
 }
