@@ -42,10 +42,18 @@ TEST(PartEvidence, NeighboursDecideNearbyAndFadeFarAway) {
   const std::vector<Part> parts = PartsBy(MeanField(strip, evidence));
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const double x = strip.points[i].x();
-    if (i == 2) EXPECT_NE(parts[i], Part::kSecond);
-    if (x < 19 && x > 2) EXPECT_EQ(parts[i], Part::kFirst) << x;
-    if (x > 30 && x < 69) EXPECT_EQ(parts[i], Part::kUndecided) << x;
-    if (x > 80) EXPECT_EQ(parts[i], Part::kSecond) << x;
+    if (i == 2) {
+      EXPECT_NE(parts[i], Part::kSecond);
+    }
+    if (x < 19 && x > 2) {
+      EXPECT_EQ(parts[i], Part::kFirst) << x;
+    }
+    if (x > 30 && x < 69) {
+      EXPECT_EQ(parts[i], Part::kUndecided) << x;
+    }
+    if (x > 80) {
+      EXPECT_EQ(parts[i], Part::kSecond) << x;
+    }
   }
 }
 
