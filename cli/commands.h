@@ -60,6 +60,12 @@ struct MoveGraphOptions {
   bool json = false;
 };
 
+struct PartsOptions {
+  std::vector<std::string> scans;  // files of points
+  std::string svg;                 // a file for a drawing; empty: none
+  bool json = false;
+};
+
 /// Of the commands `tact knot ...`; each uses some.
 struct KnotOptions {
   std::vector<std::string> inputs;       // P-data or curves: files, examples or texts
@@ -101,6 +107,8 @@ ExitStatus RunContacts(const ContactsOptions& options);
 ExitStatus RunRecognize(const FileOptions& options);
 /// Which joint a log of poses shows, where it is, how sure.
 ExitStatus RunJoint(const JointOptions& options);
+/// Two parts of a linkage, divided by scans of it in different states, and the axis about which they turn.
+ExitStatus RunParts(const PartsOptions& options);
 /// The ledger of claims on trial; writes the report.
 ExitStatus RunVerify(const VerifyOptions& options);
 /// The exact list of DOF classes, with witnesses from a finite world.

@@ -6,8 +6,8 @@ std::vector<Claim> AllClaims() {
   std::vector<Claim> all;
   for (auto part : {DisplacementClaims(), PropositionClaims(), MotionDofClaims(), DofClassClaims(),
                     DofTransitionClaims(), SubSkillRuleClaims(), TransitionFrequencyClaims(),
-                    SingularClaims(), PegInsertionClaims(), JointClaims(), KnotProjectionClaims(),
-                    KnotMoveClaims(), KnotTyingClaims(), KnotWatchedClaims()}) {
+                    SingularClaims(), PegInsertionClaims(), JointClaims(), PlierClaims(),
+                    KnotProjectionClaims(), KnotMoveClaims(), KnotTyingClaims(), KnotWatchedClaims()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;
