@@ -15,8 +15,8 @@ namespace {
 using joint::CgUpdate;
 
 constexpr int kPrintedSuccesses = 677;  // of kPrintedTrials
-constexpr double kSuccess = 2.5;   // degree, as the thesis has it
-constexpr double kSameSum = 1e-6;  // of the root mean square of the sums' terms
+constexpr double kSuccess = 2.5;        // degree, as the thesis has it
+constexpr double kSameSum = 1e-6;       // of the root mean square of the sums' terms
 constexpr double k95 = 1.96;
 
 TrialSetup SetupWith(Placing placing) {

@@ -225,15 +225,16 @@ TEST(BadInput, TolerancesThatMeanNothingAreRefused) {
 }
 
 TEST(BadInput, CommandsAndOptionsThatAreNoneAreNamed) {
+  ExpectRefused({"enumerate", "dof-clases"},
+                "expected what to enumerate, one of dof-classes, dof-transitions, p-data, moves, got "
+                "'dof-clases'; tact "
+                "enumerate --help says "
+                "more");
   ExpectRefused(
-      {"enumerate", "dof-clases"},
-      "expected what to enumerate, one of dof-classes, dof-transitions, p-data, moves, got 'dof-clases'; tact "
-      "enumerate --help says "
-      "more");
-  ExpectRefused({"frobnicate"},
-                "expected a command, one of dof, modes, contacts, recognize, joint, verify, enumerate, knot, got "
-                "'frobnicate'; tact "
-                "--help says more");
+      {"frobnicate"},
+      "expected a command, one of dof, modes, contacts, recognize, joint, verify, enumerate, knot, got "
+      "'frobnicate'; tact "
+      "--help says more");
   ExpectRefused({"dof", "--wrong", "-"},
                 "The following argument was not expected: --wrong; tact dof --help says more");
   ExpectRefused({"dof"}, "FILE is required; tact dof --help says more");
