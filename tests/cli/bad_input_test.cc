@@ -225,11 +225,11 @@ TEST(BadInput, TolerancesThatMeanNothingAreRefused) {
 }
 
 TEST(BadInput, CommandsAndOptionsThatAreNoneAreNamed) {
-  ExpectRefused(
-      {"enumerate", "dof-clases"},
-      "expected what to enumerate, one of dof-classes, dof-transitions, p-data, moves, got 'dof-clases'; tact "
-      "enumerate --help says "
-      "more");
+  ExpectRefused({"enumerate", "dof-clases"},
+                "expected what to enumerate, one of dof-classes, dof-transitions, p-data, moves, got "
+                "'dof-clases'; tact "
+                "enumerate --help says "
+                "more");
   ExpectRefused({"frobnicate"},
                 "expected a command, one of dof, modes, contacts, recognize, verify, enumerate, knot, got "
                 "'frobnicate'; tact "
