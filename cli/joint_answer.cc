@@ -13,12 +13,19 @@ using joint::JointType;
 
 joint::JointFit FitAll(JointType type, std::span<const joint::Transform> poses, const std::string& method) {
   if (method == "gaussian") return FitMaximumLikelihood(type, poses);
-  // One iteration evaluates the start, which stays.
-  return ClimbLikelihood(InNormalForm(FitLeastSquares(type, poses), poses), poses, {.most_iterations = 1});
+  joint::FitOptions once;
+  once.most_iterations = 1;  // evaluates the start, which stays
+  return ClimbLikelihood(InNormalForm(FitLeastSquares(type, poses), poses), poses, once);
+}
+
+joint::RobustOptions Seeded(const JointOptions& options) {
+  joint::RobustOptions robust;
+  robust.seed = options.seed;
+  return robust;
 }
 
 joint::RobustFit Fit(JointType type, std::span<const joint::Transform> poses, const JointOptions& options) {
-  if (options.method == "robust") return FitRobustly(type, poses, {.seed = options.seed});
+  if (options.method == "robust") return FitRobustly(type, poses, Seeded(options));
   joint::RobustFit fit;
   fit.fit = FitAll(type, poses, options.method);
   fit.weights.assign(poses.size(), 1);
@@ -47,7 +54,9 @@ JointAnswer AnswerJoint(joint::PoseSeries series, const JointOptions& options) {
   answer.series = std::move(series);
   answer.notes = Suspicions(answer.series);
   if (options.type.empty()) {
-    joint::JointSelection selection = SelectJoint(answer.series.poses, {.robust = {.seed = options.seed}});
+    joint::SelectionOptions choice;
+    choice.robust = Seeded(options);
+    joint::JointSelection selection = SelectJoint(answer.series.poses, choice);
     answer.type = selection.type;
     answer.reason = std::move(selection.reason);
     answer.candidates = std::move(selection.candidates);

@@ -21,7 +21,7 @@ struct PoseErrors {
   std::vector<double> rotation, translation;
 };
 
-/// Of poses against the nearest ones that the joint allows.
+/// Of poses, in the order of time, against the nearest ones that the joint allows.
 PoseErrors ErrorsOf(const Joint& joint, const NoiseScale& noise, std::span<const Transform> poses);
 
 using Estimator = std::function<JointFit(std::span<const Transform>)>;
