@@ -8,6 +8,9 @@
 namespace tact::joint {
 namespace {
 
+constexpr int kMostTurns = 300;
+constexpr double kSettled = 1e-12;  // radian a turn
+
 using Matrix9 = Eigen::Matrix<double, 9, 9>;
 
 // The quadratic form in v of mean (u . R v)^2.
@@ -56,13 +59,13 @@ bool operator<(const Cell& a, const Cell& b) { return a.bound > b.bound; }
 
 TwoAxes Polished(const Matrix9& moment, const Eigen::Vector3d& u_B) {
   TwoAxes best{u_B, Eigen::Vector3d::UnitY(), 2, 0};
-  for (int turn = 0; turn < 50; ++turn) {
+  for (int turn = 0; turn < kMostTurns; ++turn) {
     best.v_A = EigenOf(FormInV(moment, best.u_B)).vectors.col(0);
     const SymmetricEigen3 in_u = EigenOf(FormInU(moment, best.v_A));
+    const double change = in_u.vectors.col(0).cross(best.u_B).norm();
     best.u_B = in_u.vectors.col(0);
-    const double rms = Root(in_u.values[0]);
-    if (best.rms - rms < 1e-14) break;
-    best.rms = rms;
+    best.rms = Root(in_u.values[0]);
+    if (change < kSettled) break;
   }
   return best;
 }

@@ -118,8 +118,8 @@ TEST_P(RobustJoint, SurvivesWrongPoses) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(AllTypes, RobustJoint, testing::ValuesIn(kJointTypes), [](const auto& info) {
-  std::string name(NameOf(info.param));
+INSTANTIATE_TEST_SUITE_P(AllTypes, RobustJoint, testing::ValuesIn(kJointTypes), [](const auto& type) {
+  std::string name(NameOf(type.param));
   std::erase(name, '-');
   return name;
 });

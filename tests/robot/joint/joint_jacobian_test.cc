@@ -71,7 +71,9 @@ TEST(JointGauge, NormalFormRisesFromZero) {
     const auto poses = simulation.Poses(joint, 20, NoiseLaw::kNone);
     const Joint normal = InNormalForm(Reversed(joint), poses);
     EXPECT_LT(CoordinatesNear(normal, poses.front()).norm(), 1e-12) << NameOf(type);
-    if (JointDof(type) == 1) EXPECT_GT(CoordinatesNear(normal, poses.back())[0], 0) << NameOf(type);
+    if (JointDof(type) == 1) {
+      EXPECT_GT(CoordinatesNear(normal, poses.back())[0], 0) << NameOf(type);
+    }
     EXPECT_GE(normal.offset, 0);
   }
 }
