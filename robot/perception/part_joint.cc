@@ -68,7 +68,7 @@ void Reverse(PartAxis* axis) {
   const Vector3d half_turn_about_x(1, -1, -1);
   axis->frame *= half_turn_about_x.asDiagonal();
   axis->direction = -axis->direction;
-  for (double& angle : axis->angles) angle = -angle;
+  for (double& angle : axis->angles) angle = 0 - angle;  // no -0
   const Eigen::Vector4d signs(1, -1, 1, -1);
   axis->covariance = signs.asDiagonal() * axis->covariance * signs.asDiagonal();
 }

@@ -23,12 +23,12 @@ TEST(PartsCommand, FindsThePinOfTheExample) {
   const auto json = nlohmann::json::parse(answer.out);
   EXPECT_EQ(json["type"], "revolute");
   const std::vector<double> direction = json["axis"]["direction"], point = json["axis"]["point"];
-  const double cosine = -0.16690 * direction[0] - 0.35320 * direction[1] + 0.92054 * direction[2];
+  const double cosine = 0.16690 * direction[0] + 0.35320 * direction[1] - 0.92054 * direction[2];
   EXPECT_GT(cosine, std::cos(3 * json["errors"]["direction"].get<double>()));
   EXPECT_LT(json["errors"]["direction"].get<double>(), 0.02);
   // The distance between the pin and the point found.
   const double x = point[0] - 11.391, y = point[1] - 8.585, z = point[2] - 700.600;
-  const double along = -0.16690 * x - 0.35320 * y + 0.92054 * z;
+  const double along = 0.16690 * x + 0.35320 * y - 0.92054 * z;
   EXPECT_LT(std::sqrt(x * x + y * y + z * z - along * along), 4 * json["errors"]["point"].get<double>());
   for (std::size_t i = 0; i < 5; ++i)
     EXPECT_NEAR(json["scans"][i]["angle"].get<double>(), 0.13 * double(i), 0.004);
