@@ -230,11 +230,11 @@ TEST(BadInput, CommandsAndOptionsThatAreNoneAreNamed) {
                 "'dof-clases'; tact "
                 "enumerate --help says "
                 "more");
-  ExpectRefused(
-      {"frobnicate"},
-      "expected a command, one of dof, modes, contacts, recognize, joint, verify, enumerate, knot, got "
-      "'frobnicate'; tact "
-      "--help says more");
+  ExpectRefused({"frobnicate"},
+                "expected a command, one of dof, modes, contacts, recognize, joint, parts, verify, "
+                "enumerate, knot, got "
+                "'frobnicate'; tact "
+                "--help says more");
   ExpectRefused({"dof", "--wrong", "-"},
                 "The following argument was not expected: --wrong; tact dof --help says more");
   ExpectRefused({"dof"}, "FILE is required; tact dof --help says more");
