@@ -8,7 +8,7 @@
 namespace tact::joint {
 namespace {
 
-constexpr int kMostTurns = 300;
+constexpr int kMostTurns = 5000;
 constexpr double kSettled = 1e-12;  // radian a turn
 
 using Matrix9 = Eigen::Matrix<double, 9, 9>;

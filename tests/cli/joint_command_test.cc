@@ -133,17 +133,18 @@ TEST(JointCommand, KeysAreThoseOfTheDesignWhateverTheAnswer) {
   }
 }
 
-// The same log backward, in millimetres, inverted: the same joint with A and B exchanged.
+// The same log inverted: the same joint with A and B exchanged, within two deviations, for the errors are taken to be independent in the other
+// link now.
 TEST(JointCommand, TheInverseLogExchangesTheLinks) {
   const Words door = {kExamples + "door.txt", "--type", "revolute"};
   Words inverse = door;
   inverse.push_back("--inverse");
   const Json a = Ask(door)["parameters"], b = Ask(inverse)["parameters"];
-  EXPECT_LT(AngleOff(b["direction_in_A"], a["direction_in_B"]["value"].get<Vector>()), 0.5);
-  EXPECT_LT(AngleOff(b["direction_in_B"], a["direction_in_A"]["value"].get<Vector>()), 0.5);
+  EXPECT_LT(AngleOff(b["direction_in_A"], a["direction_in_B"]["value"].get<Vector>()), 2);
+  EXPECT_LT(AngleOff(b["direction_in_B"], a["direction_in_A"]["value"].get<Vector>()), 2);
   EXPECT_LT(LineOff(b["point_in_A"], a["point_in_B"]["value"].get<Vector>(),
                     a["direction_in_B"]["value"].get<Vector>()),
-            0.5);
+            2);
 }
 
 TEST(JointCommand, TheUnitScalesLengthsAndNothingElse) {
