@@ -1,9 +1,10 @@
 /// @file
 /// Joints from simulated poses: errors against the thesis' least squares and against lower bounds, and times.
-/// Model   Noise as in [thesis, 4.5.2] or Gaussian of the same mean square. FitLeastSquares stands for the thesis' estimator: it
-///         takes the same sums to their global minimum. An error is an angle between axes, or the distance of the true centre
-///         (where A's origin's foot lies on the axis) from the estimated axis; ratios are of means over the same trials. The
-///         Cramer-Rao bound comes from the information at the estimate with the true scales. Times are medians.
+/// Model   Noise as in [thesis, 4.5.2] or Gaussian of the same mean square. FitLeastSquares stands for the thesis'
+///         estimator: it takes the same sums to their global minimum. An error is an angle between axes, or the
+///         distance of the true centre (where A's origin's foot lies on the axis) from the estimated axis; ratios are
+///         of means over the same trials. The Cramer-Rao bound comes from the information at the estimate with the true
+///         scales. Times are medians.
 /// Exit    0; 1 if an answer is off or a ratio or time asked for is missed.
 #include <sys/resource.h>
 
