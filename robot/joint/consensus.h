@@ -1,8 +1,9 @@
 /// @file
 /// A start by consensus where many poses are wrong: joints through few poses drawn at random, judged by all.
-/// Model   Each sample takes as few poses as determine the type and fits them by least squares (two-axis: from one random guess of
-///         an axis). Its joint is judged by the median error of orientation and of location over the poses; the least product
-///         of both wins. With a share e of wrong poses a sample of m is clean with probability (1 - e)^m.
+/// Model   Each sample takes as few poses as determine the type and fits them by least squares (two-axis: from one
+///         random guess of an axis). Its joint is judged by the median error of orientation and of location over the
+///         poses; the least product of both wins. With a share e of wrong poses a sample of m is clean with probability
+///         (1 - e)^m.
 /// Exact   no; the same seed gives the same answer.
 #pragma once
 

@@ -18,8 +18,8 @@ Joint Reversed(const Joint& joint);
 /// A two-axis joint with the second axis alone reversed, so that the offset changes its sign; others as they are.
 Joint OffsetReversed(const Joint& joint);
 
-/// The same poses: coordinates zero near the first pose; the first coordinate positive where it is farthest from zero; the offset
-/// not negative.
+/// The same poses: coordinates zero near the first pose; the first coordinate positive where it is farthest from zero;
+/// the offset not negative.
 Joint InNormalForm(const Joint& joint, std::span<const Transform> poses);
 
 /// The same poses, reversed where that brings the axes nearer to the other's, of the same type.

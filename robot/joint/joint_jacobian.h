@@ -1,8 +1,9 @@
 /// @file
 /// First derivatives of a joint's poses: what a small change of the joint's parameters and coordinates does to X_BA.
-/// Model   Parameters change by X_BJ <- X_BJ exp(xi_B), X_AJ <- X_AJ exp(xi_A), pitch and offset by addition, each type along
-///         the free columns that change the set of poses and only those (JointParameters(type) of them): a change of the
-///         others is the same as one of the coordinates. A spherical joint's coordinates change by R <- exp(dq) R.
+/// Model   Parameters change by X_BJ <- X_BJ exp(xi_B), X_AJ <- X_AJ exp(xi_A), pitch and offset by addition, each type
+///         along the free columns that change the set of poses and only those (JointParameters(type) of them): a change
+///         of the others is the same as one of the coordinates. A spherical joint's coordinates change by R <- exp(dq)
+///         R.
 /// Shapes  rows: rotation vector (3), translation of A's origin (3), both in the joint's frame J as fixed in B.
 #pragma once
 

@@ -98,8 +98,8 @@ std::vector<NamedParameter> NamedParametersOf(const JointFit& fit, const Transfo
   const std::vector<Row> rows = DerivativesOf(fit.joint, reference);
   // Leaves of a change what the poses tell nothing about.
   const Eigen::Index columns = fit.information.cols();
-  const ParameterMatrix open =
-      ParameterMatrix::Identity(columns, columns) - PseudoInverse(fit.information) * fit.information;
+  const ParameterMatrix seen = PseudoInverse(fit.information) * fit.information;
+  const ParameterMatrix open = ParameterMatrix::Identity(columns, columns) - seen;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const Row left = rows[i] * open;
     parameters[i].covariance = rows[i] * fit.covariance * rows[i].transpose();

@@ -123,6 +123,8 @@ JointSelection SelectJoint(Poses poses, const SelectionOptions& options) {
   const double effective = static_cast<double>(poses.size()) / selection.correlation;
   for (TypeScore& score : selection.scores) {
     score.bic = -2 * score.log_likelihood / selection.correlation + score.parameters * std::log(effective);
+    score.robust.fit.covariance *= selection.correlation;
+    score.robust.fit.information /= selection.correlation;
   }
   std::vector<const TypeScore*> order;
   for (const TypeScore& score : selection.scores) order.push_back(&score);

@@ -1,12 +1,13 @@
 /// @file
 /// Which type of joint the poses show, or why they cannot tell.
-/// Model   Each type's marginal likelihood with the coordinates as normal random effects (coordinate_spread.h), so that types with
-///         many coordinates and with few compare fairly; BIC with the parameters, two scales, the coordinates' mean and
-///         covariance counted. A tracker's errors follow one another (residuals correlate over `correlation` poses), so N poses
-///         weigh like N / correlation; they also bend smoothly what it sees, which no number of poses averages out and a joint
-///         with more freedom takes for motion: as far as residuals correlate, errors of SelectionOptions::bending are allowed for.
-///         Types within kPlausible of the best are plausible. The answer is the plausible type that all other plausible ones
-///         generalise; prismatic only if no circle of an everyday radius would do as well. Otherwise the answer is open.
+/// Model   Each type's marginal likelihood with the coordinates as normal random effects (coordinate_spread.h), so that
+///         types with many coordinates and with few compare fairly; BIC with the parameters, two scales, the
+///         coordinates' mean and covariance counted. A tracker's errors follow one another (residuals correlate over
+///         `correlation` poses), so N poses weigh like N / correlation, and covariances are that much larger; they also
+///         bend smoothly what it sees, which no number of poses averages out and a joint with more freedom takes for
+///         motion: the noise is taken as at least SelectionOptions::bending, as far as residuals correlate. Types within
+///         kPlausible of the best are plausible. The answer is the plausible type that all other plausible ones
+///         generalise; prismatic only if no circle of an everyday radius would do as well. Otherwise it is open.
 /// Exact   no.
 #pragma once
 
@@ -22,8 +23,8 @@ inline constexpr int kFewestPoses = 5;
 inline constexpr double kLeastRadius = 2;  // metre: few things turn about an axis farther away
 inline constexpr double kPlausible = 6;    // of BIC: the usual "strong evidence"
 
-/// Whether every set of poses that a joint of the special type allows is one that some joint of the general type allows (as a
-/// limit: a screw of large pitch, a revolute axis far away). True for a type and itself.
+/// Whether every set of poses that a joint of the special type allows is one that some joint of the general type allows
+/// (as a limit: a screw of large pitch, a revolute axis far away). True for a type and itself.
 bool Generalises(JointType general, JointType special);
 
 struct TypeScore {

@@ -83,8 +83,8 @@ class CenterSums {
     R_e_.noalias() += R.transpose() * e;
     e_p_ += e.dot(p), e_e_ += e.squaredNorm();
   }
-  // c_A, c_B and, if there is any e, f: the shortest solution. With axes: leaving out errors along them, for orientations
-  // that map the one to the other.
+  // c_A, c_B and, if there is any e, f: the shortest solution. With axes: leaving out errors along them, for
+  // orientations that map the one to the other.
   SmallVector Solve(bool factor, const std::optional<Axes>& free = {}) const {
     SmallMatrix normal = SmallMatrix::Zero(6 + factor, 6 + factor);
     SmallVector right = SmallVector::Zero(6 + factor);

@@ -1,12 +1,13 @@
 /// @file
-/// Joints by least squares of orientation first and of location then, as chapter 4 of the thesis sets them up, each at its
-/// global optimum.
-/// Model   prismatic    sum of 1 - cos of the angles between orientations [thesis, eq. (4.6)]: a singular value decomposition
-///                      of the sum of orientations; direction by principal components [eq. (4.7)]
-///         revolute     sum of 1 - cos of the angles between l_B and R_i l_A [eq. (4.16)]: l_B . (sum of R_i) l_A is largest at
-///                      the first singular vectors; centre by linear least squares with the corrected orientations [eq. (4.18)]
-///         screw        axis as revolute; centre and pitch by linear least squares [eq. (4.24)], angles unwrapped along the
-///                      poses' order [eq. (4.21)]
+/// Joints by least squares of orientation first and of location then, as chapter 4 of the thesis sets them up, each at
+/// its global optimum.
+/// Model   prismatic    sum of 1 - cos of the angles between orientations [thesis, eq. (4.6)]: a singular value
+///                      decomposition of the sum of orientations; direction by principal components [eq. (4.7)]
+///         revolute     sum of 1 - cos of the angles between l_B and R_i l_A [eq. (4.16)]: l_B . (sum of R_i) l_A is
+///                      largest at the first singular vectors; centre by linear least squares with the corrected
+///                      orientations [eq. (4.18)]
+///         screw        axis as revolute; centre and pitch by linear least squares [eq. (4.24)], angles unwrapped along
+///                      the poses' order [eq. (4.21)]
 ///         two-axis     sum of (u . R_i v)^2 [eq. (4.38)] by two_axis_search.h; centres and offset linear
 ///         the others   alike: rigid, spherical (linear), cylindrical, planar.
 /// Pre     at least one pose.
@@ -35,8 +36,8 @@ Joint FitLeastSquares(JointType type, const PosePass& pass);
 Joint FitCenters(const TwoAxes& axes, const PosePass& pass);
 PosePass PassOver(std::span<const Transform> poses);
 
-/// The starts from which the likelihood is climbed: FitLeastSquares and, where the axis follows from how the link turns, the
-/// axis along (planar: across) which it moves.
+/// The starts from which the likelihood is climbed: FitLeastSquares and, where the axis follows from how the link
+/// turns, the axis along (planar: across) which it moves.
 std::vector<Joint> StartsOf(JointType type, std::span<const Transform> poses);
 
 /// The angle plus whole turns that is nearest to another.

@@ -1,10 +1,11 @@
 /// @file
-/// Joints by maximum likelihood under Gaussian noise whose scales are estimated too: orientation and location weigh in together,
-/// coupled through the joint.
-/// Model   R_BA = exp(w) R_model, p_BA = p_model + d; w ~ N(0, s_R^2 I), d ~ N(0, s_p^2 I), independent, in B [thesis, eq. (4.28)].
-///         Unknown: the joint's parameters, each pose's coordinates, s_R, s_p. Gauss-Newton on parameters and coordinates, the
-///         coordinates eliminated pose by pose (pose_equations.h); the scales by variance components, for the likelihood
-///         itself would call them too small when each pose brings coordinates of its own (Neyman and Scott).
+/// Joints by maximum likelihood under Gaussian noise whose scales are estimated too: orientation and location weigh in
+/// together, coupled through the joint.
+/// Model   R_BA = exp(w) R_model, p_BA = p_model + d; w ~ N(0, s_R^2 I), d ~ N(0, s_p^2 I), independent, in B [thesis,
+///         eq. (4.28)]. Unknown: the joint's parameters, each pose's coordinates, s_R, s_p. Gauss-Newton on parameters
+///         and coordinates, the coordinates eliminated pose by pose (pose_equations.h); the scales by variance
+///         components, for the likelihood itself would call them too small when each pose brings coordinates of its own
+///         (Neyman and Scott).
 /// Units   radian, metre, a component.
 /// Cost    O(N) an iteration, five to ten of them.
 #pragma once

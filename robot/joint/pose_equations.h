@@ -1,7 +1,7 @@
 /// @file
 /// One pose's linear equations for a joint's parameters, its own coordinates eliminated, and their sums over poses.
-/// Model   error = J_p dp + J_q dq + noise, rows in units of the noise. J_q = Q T with orthonormal Q; what is left after the best
-///         dq is P error = P J_p dp + P noise with P = I - Q Q^T.
+/// Model   error = J_p dp + J_q dq + noise, rows in units of the noise. J_q = Q T with orthonormal Q; what is left
+///         after the best dq is P error = P J_p dp + P noise with P = I - Q Q^T.
 #pragma once
 
 #include "robot/joint/joint_jacobian.h"
@@ -39,8 +39,9 @@ struct NormalEquations {
   ParameterMatrix Information() const { return information[0] + information[1]; }
 };
 
-/// The factors by which the scales grow, so that each group's sum of squares is what it is expected to be (Helmert's variance
-/// components, which converge fast although the groups share each pose's coordinates). covariance: of the parameters.
+/// The factors by which the scales grow, so that each group's sum of squares is what it is expected to be (Helmert's
+/// variance components, which converge fast although the groups share each pose's coordinates). covariance: of the
+/// parameters.
 std::array<double, 2> ScaleFactors(const NormalEquations& normal, const ParameterMatrix& covariance);
 
 }  // namespace tact::joint

@@ -11,7 +11,8 @@ constexpr double kOutside = 1e3;     // nat a pose outside
 constexpr double kLeastPole = 1e-9;  // radian or metre: rounding keeps poles finite
 constexpr double kStill = 1e-9;      // metre or radian a unit of the coordinate: it does not move this error
 
-// An error along the coordinate x: |error - x along|^2 = along^2 ((x - best)^2 + rest^2), inside while |x - best| < reach.
+// An error along the coordinate x: |error - x along|^2 = along^2 ((x - best)^2 + rest^2), inside while |x - best| <
+// reach.
 struct Line {
   double along, best, rest, reach;
 };

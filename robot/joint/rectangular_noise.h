@@ -1,11 +1,11 @@
 /// @file
 /// The best estimate under the thesis' noise law: the posterior mean.
-/// Model   rectangular_likelihood.h; prior flat in the parameters near the maximum likelihood fit and, if the bounds are not known, in
-///         their logarithms. Metropolis' sampler, its proposal adapted in the first half and then kept. The mean of a posterior
-///         has the least mean squared error that any estimate can have under that prior.
+/// Model   rectangular_likelihood.h; prior flat in the parameters near the maximum likelihood fit and, if the bounds
+///         are not known, in their logarithms. Metropolis' sampler, its proposal adapted in the first half and then
+///         kept. The mean of a posterior has the least mean squared error that any estimate can have under that prior.
 /// Exact   no; the same seed gives the same answer.
-/// Errors  PreconditionError: a type of more than one DOF. Of a pose's two errors its coordinates then move so much that the
-///         integral over them has no closed form.
+/// Errors  PreconditionError: a type of more than one DOF. Of a pose's two errors its coordinates then move so much
+///         that the integral over them has no closed form.
 /// Cost    O(N) a sample, some 0.1 s for 100 poses.
 #pragma once
 

@@ -1,8 +1,9 @@
 /// @file
 /// Joints from poses of which many may be wrong.
-/// Model   Each pose is right with probability 1 - e, then Gaussian about the joint (maximum_likelihood.h) with its coordinates
-///         normal too (coordinate_spread.h); else it lies anywhere: any orientation alike, A's origin anywhere in the box of
-///         all poses. A start by consensus (consensus.h), then expectation and maximization: the weight of a pose is the probability that it is right.
+/// Model   Each pose is right with probability 1 - e, then Gaussian about the joint (maximum_likelihood.h) with its
+///         coordinates normal too (coordinate_spread.h); else it lies anywhere: any orientation alike, A's origin
+///         anywhere in the box of all poses. A start by consensus (consensus.h), then expectation and maximization: the
+///         weight of a pose is the probability that it is right.
 /// Exact   no; the same seed gives the same answer.
 /// Cost    O(N) an iteration.
 #pragma once

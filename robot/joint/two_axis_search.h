@@ -1,8 +1,9 @@
 /// @file
 /// The two axes of a joint of restricted DOF one in rotation, without an initial guess.
-/// Model   u in B, v in A, unit: the least sum of (u . R_i v)^2 [thesis, eq. (4.38)]. For a given u the best v is an eigenvector
-///         of a 3 x 3 matrix, so the sum's root g(u) is a function on the sphere; it is Lipschitz with constant sqrt(N) in u,
-///         for each |R_i v| = 1. Branch and bound over the faces of a cube covers the half sphere.
+/// Model   u in B, v in A, unit: the least sum of (u . R_i v)^2 [thesis, eq. (4.38)]. For a given u the best v is an
+///         eigenvector of a 3 x 3 matrix, so the sum's root g(u) is a function on the sphere; it is Lipschitz with
+///         constant sqrt(N) in u, for each |R_i v| = 1. Branch and bound over the faces of a cube covers the half
+///         sphere.
 /// Exact   no: the least g is found to within kSearchGap * sqrt(N), then polished by turns.
 /// Cost    some thousand eigenvectors, whatever N, after one pass.
 #pragma once

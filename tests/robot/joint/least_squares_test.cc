@@ -25,8 +25,8 @@ TEST(LeastSquares, FindsWhatMadeCleanPoses) {
   }
 }
 
-// [thesis, eq. (4.16)]: no other pair of axes has a larger sum of l_B . R_i l_A, here among all that turns between the two
-// lead to from random starts.
+// [thesis, eq. (4.16)]: no other pair of axes has a larger sum of l_B . R_i l_A, here among all that turns
+// between the two lead to from random starts.
 TEST(LeastSquares, NoLocalSearchBeatsTheAxes) {
   Simulation simulation(3);
   for (int trial = 0; trial < 50; ++trial) {

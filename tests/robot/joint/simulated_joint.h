@@ -1,6 +1,7 @@
 /// @file
 /// Joints and noisy poses of them, drawn from a seed.
-/// Model   Noise is Gaussian with kScale, or the thesis' law [thesis, 4.5.2], whose root mean square a component is the same.
+/// Model   Noise is Gaussian with kScale, or the thesis' law [thesis, 4.5.2], whose root mean square a component is the
+///         same.
 #pragma once
 
 #include <cmath>
