@@ -26,6 +26,16 @@ constexpr std::array<const char*, 3> kColours = {"#1d4ed8", "#15803d", "#c2410c"
 
 std::string Paragraph(const std::string& text) { return "<p>" + provers::Escape(text) + "</p>\n"; }
 
+std::string PlusMinus(std::string text) {
+  if (text.starts_with("+-")) text.replace(0, 2, "\u00B1");
+  return text;
+}
+
+std::string Capital(std::string text) {
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
 // Plots over time, or over the number of the pose.
 class Plots {
  public:
@@ -40,28 +50,28 @@ class Plots {
     const CoordinateName name = CoordinateNames(*answer_.type)[k];
     const double scale = name.angle ? kDegrees : scale_;
     Plot plot = Empty(std::string(name.name), name.angle ? "deg" : std::string(ToString(unit_)));
-    plot.series = Split({"", kColours[0], PlotMark::kDots, {}}, [&](size_t i) {
+    plot.series = {Filled({"", kColours[0], PlotMark::kDots, {}}, [&](size_t i) {
       return scale * answer_.fit.fit.coordinates[i][static_cast<Eigen::Index>(k)];
-    });
+    })};
     return DrawPlot(plot);
   }
 
   // Of orientation or of location, the components in B.
   std::string Residual(bool rotation) const {
-    const double scale = rotation ? kDegrees : scale_;
+    const cad::LengthUnit small = SmallUnit(unit_);
+    const double scale = rotation ? kDegrees : ToDouble(Ratio(cad::LengthUnit::kMetre, small));
     const joint::NoiseScale& noise = answer_.fit.fit.noise;
     const double band = 2 * scale * (rotation ? noise.rotation : noise.translation);
     Plot plot = Empty(rotation ? "orientation off the joint" : "location off the joint",
-                      rotation ? "deg" : std::string(ToString(unit_)));
+                      rotation ? "deg" : std::string(ToString(small)));
     plot.bands = {{-band, band}};
     for (int axis = 0; axis < 3; ++axis) {
       const auto value = [&](size_t i) {
         const joint::Residual& residual = answer_.residuals[i];
         return scale * (rotation ? residual.rotation : residual.translation)[axis];
       };
-      for (PlotSeries& series :
-           Split({std::string(1, "xyz"[axis]), kColours[axis], PlotMark::kDots, {}}, value))
-        plot.series.push_back(std::move(series));
+      plot.series.push_back(
+          Filled({std::string(1, "xyz"[axis]), kColours[axis], PlotMark::kDots, {}}, value));
     }
     return DrawPlot(plot);
   }
@@ -77,14 +87,14 @@ class Plots {
 
   // The poses that count; those that do not are left out: they would hide the others by their size.
   template <typename Value>
-  std::vector<PlotSeries> Split(PlotSeries right, const Value& value) const {
+  PlotSeries Filled(PlotSeries series, const Value& value) const {
     const auto& outliers = answer_.fit.outliers;
     const size_t step = at_.size() / kMostPoints + 1;
     for (size_t i = 0; i < at_.size(); i += step) {
       if (!std::binary_search(outliers.begin(), outliers.end(), i))
-        right.points.emplace_back(at_[i], value(i));
+        series.points.emplace_back(at_[i], value(i));
     }
-    return {std::move(right)};
+    return series;
   }
 
   const JointAnswer& answer_;
@@ -93,6 +103,18 @@ class Plots {
   std::vector<double> at_;
 };
 
+// What is red in the drawings.
+std::string DrawnJoint(joint::JointType type) {
+  using joint::JointType;
+  const std::string sure = " with two standard deviations to either side";
+  if (type == JointType::kRigid) return "";
+  if (type == JointType::kSpherical) return "; the centre (red)" + sure;
+  if (type == JointType::kPlanar) return "; the plane's normal (red)" + sure;
+  if (type == JointType::kTwoAxis)
+    return "; the first axis (red)" + sure + ", the second (violet) where A carries it halfway";
+  return "; the axis (red)" + sure;
+}
+
 std::string Figures(const JointAnswer& answer, cad::LengthUnit unit) {
   const provers::JointPicture picture{answer.fit.fit, answer.parameters, answer.series.poses,
                                       answer.fit.outliers};
@@ -100,30 +122,34 @@ std::string Figures(const JointAnswer& answer, cad::LengthUnit unit) {
   const auto figure = [&number](const std::string& caption, const std::string& svg) {
     return provers::FigureHtml({caption, svg}, "figure-" + std::to_string(++number));
   };
-  std::string html = "<div class=\"figures\">\n";
-  html += figure(
-      "The poses of A in B: its origin as observed (grey) and as the joint has it (black), some of its "
-      "frames; "
-      "the axis (red) with two standard deviations to either side.",
+  const auto row = [](const std::string& figures) {
+    return "<div class=\"figures\">\n" + figures + "</div>\n";
+  };
+  const bool axis = *answer.type != joint::JointType::kRigid && *answer.type != joint::JointType::kSpherical;
+  const std::string side = figure(
+      "The poses of A in B: its origin as observed (grey, wrong ones orange) and as the joint has it "
+      "(black), some of its frames" +
+          DrawnJoint(*answer.type) + ".",
       DrawJoint(picture, provers::JointView::kFromTheSide));
-  html += figure("The same along the axis.", DrawJoint(picture, provers::JointView::kAlongTheAxis));
-  html += "</div>\n<h2>Over time</h2>\n";
+  std::string html = row(side + figure(axis ? "The same along the axis." : "The same against B's z.",
+                                       DrawJoint(picture, provers::JointView::kAlongTheAxis)));
+  html += "<h2>Over time</h2>\n";
   const Plots plots(answer, unit);
-  for (size_t k = 0; k < CoordinateNames(*answer.type).size(); ++k)
-    html += figure(k == 0 ? "How far the joint has moved since the first pose." : "", plots.Coordinate(k));
-  html += figure(
+  for (size_t k = 0; k < CoordinateNames(*answer.type).size(); ++k) {
+    html += row(figure(k == 0 ? "How far the joint has moved since the first pose." : "One more coordinate.",
+                       plots.Coordinate(k)));
+  }
+  html += row(figure(
       "What the orientation lies off the joint's, as a rotation vector in B; shaded: two standard deviations "
-      "of the noise. Waves that the noise does not explain tell of a joint of another type or a slipping "
-      "tracker.",
-      plots.Residual(true));
-  return html + figure("What A's origin lies off the joint's, in B.", plots.Residual(false));
+      "of the noise. Waves that stay tell of a joint of another type or of a tracker that bends what it "
+      "sees.",
+      plots.Residual(true)));
+  return html + row(figure("What A's origin lies off the joint's, in B.", plots.Residual(false)));
 }
 
 std::string Body(const JointAnswer& answer, cad::LengthUnit unit) {
-  std::string title = JointTitle(answer);
-  title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
-  std::string html = "<h1>" + provers::Escape(title) + "</h1>\n<p class=\"lead\">" +
-                     provers::Escape(answer.reason) + "</p>\n";
+  std::string html = "<h1>" + provers::Escape(Capital(JointTitle(answer))) + "</h1>\n<p class=\"lead\">" +
+                     provers::Escape(Capital(answer.reason)) + ".</p>\n";
   for (const std::string& log : answer.read) html += "<p class=\"small\">" + provers::Escape(log) + "</p>\n";
   for (const std::string& note : answer.notes) html += Paragraph("Note: " + note + ".");
   if (answer.type) {
@@ -131,7 +157,7 @@ std::string Body(const JointAnswer& answer, cad::LengthUnit unit) {
     table.caption = "Parameters; errors are root mean squares of the error's length";
     table.header = {"Parameter", "Frame", "Value", "Error"};
     for (const JointRow& row : ParameterRows(answer, unit))
-      table.rows.push_back({row.name, row.frame, row.value, row.error});
+      table.rows.push_back({row.name, row.frame, row.value, PlusMinus(row.error)});
     html += TableHtml(table);
     for (const std::string& range : CoordinateRanges(answer, unit))
       html += Paragraph("Moved through: " + range + ".");

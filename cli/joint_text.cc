@@ -40,9 +40,8 @@ std::string Numbers(const Eigen::Vector4d& value, int count, double scale, int d
 
 std::string Degrees(double radian) { return fmt::format("{:.2g} deg", radian * kDegrees); }
 
-// Errors are small: they stand in millimetres where the unit is metric.
 std::string ShortLength(double metres, cad::LengthUnit unit) {
-  const auto small = unit == cad::LengthUnit::kInch ? unit : cad::LengthUnit::kMillimetre;
+  const cad::LengthUnit small = SmallUnit(unit);
   return fmt::format("{:.2g} {}", InUnit(metres, small), ToString(small));
 }
 
@@ -88,9 +87,17 @@ double Quantile(std::vector<double> values, double share) {
 
 }  // namespace
 
+cad::LengthUnit SmallUnit(cad::LengthUnit unit) {
+  return unit == cad::LengthUnit::kInch ? unit : cad::LengthUnit::kMillimetre;
+}
+
 std::vector<JointRow> ParameterRows(const JointAnswer& answer, cad::LengthUnit unit) {
   std::vector<JointRow> rows;
   for (const NamedParameter& parameter : answer.parameters) rows.push_back(RowOf(answer, parameter, unit));
+  // The first axis, which is B's, before the second.
+  for (size_t i = 1; answer.type == joint::JointType::kTwoAxis && i < rows.size(); ++i) {
+    if (rows[i].frame == "in B" && rows[i - 1].frame == "in A") std::swap(rows[i], rows[i - 1]);
+  }
   return rows;
 }
 

@@ -17,6 +17,9 @@ namespace tact::cli {
 std::string JointToJson(const JointAnswer& answer);
 std::string JointToText(const JointAnswer& answer, cad::LengthUnit unit);
 
+/// In which errors stand: millimetres where the unit is metric.
+cad::LengthUnit SmallUnit(cad::LengthUnit unit);
+
 /// Pieces that the page shows, too.
 struct JointRow {
   std::string name, frame, value, error;

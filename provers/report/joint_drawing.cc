@@ -20,6 +20,7 @@ using joint::ParameterKind;
 constexpr size_t kMostDots = 1500;  // of A's origin
 constexpr size_t kFrames = 9;
 constexpr const char* kAxisColour = "#b3261e";
+constexpr const char* kSecondColour = "#7c3aed";
 constexpr std::array<const char*, 3> kFrameColours = {"#c2410c", "#15803d", "#1d4ed8"};
 constexpr double kDeviations = 2;  // half the band's width
 
@@ -29,9 +30,9 @@ struct Axis {
   Eigen::Matrix3d point_covariance, direction_covariance;
 };
 
-const NamedParameter* Find(const JointPicture& picture, ParameterKind kind) {
+const NamedParameter* Find(const JointPicture& picture, ParameterKind kind, Link frame = Link::kB) {
   for (const NamedParameter& parameter : picture.parameters) {
-    if (parameter.kind == kind && parameter.frame == Link::kB && parameter.determined) return &parameter;
+    if (parameter.kind == kind && parameter.frame == frame && parameter.determined) return &parameter;
   }
   return nullptr;
 }
@@ -74,6 +75,17 @@ std::vector<joint::Transform> Spread(const std::vector<joint::Transform>& poses,
   return chosen;
 }
 
+// The corrected poses, those of wrong ones left out.
+std::vector<joint::Transform> RightPoses(const JointPicture& picture) {
+  const std::vector<joint::Transform> corrected = CorrectedPoses(picture.fit);
+  std::vector<joint::Transform> right;
+  for (size_t i = 0; i < corrected.size(); ++i) {
+    if (!std::binary_search(picture.outliers.begin(), picture.outliers.end(), i))
+      right.push_back(corrected[i]);
+  }
+  return right.empty() ? corrected : right;
+}
+
 std::vector<joint::Transform> Thinned(const std::vector<joint::Transform>& poses) {
   const size_t step = poses.size() / kMostDots + 1;
   std::vector<joint::Transform> thinned;
@@ -82,6 +94,8 @@ std::vector<joint::Transform> Thinned(const std::vector<joint::Transform>& poses
 }
 
 std::array<double, 3> Triple(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+using Segment = std::pair<Vector3d, Vector3d>;
 
 class Drawing {
  public:
@@ -95,6 +109,7 @@ class Drawing {
   void DrawBand(SvgCanvas* canvas) const;
   void DrawAxis(SvgCanvas* canvas) const;
   void DrawPoses(SvgCanvas* canvas) const;
+  std::optional<Segment> SecondAxis() const;
 
   const JointPicture& picture_;
   std::vector<joint::Transform> corrected_;
@@ -109,7 +124,7 @@ View Drawing::ViewOf(const std::optional<Axis>& axis, JointType type, const Vect
   View result;
   result.width = 430;
   result.height = 400;
-  if (!axis) return result;
+  if (!axis) return view == JointView::kAlongTheAxis ? AlongAxis('z') : result;
   const Vector3d d = axis->direction;
   Vector3d out = middle - axis->point;  // from the axis to where A moves
   out -= d * d.dot(out);
@@ -129,10 +144,7 @@ View Drawing::ViewOf(const std::optional<Axis>& axis, JointType type, const Vect
 }
 
 Drawing::Drawing(const JointPicture& picture, JointView view)
-    : picture_(picture),
-      corrected_(CorrectedPoses(picture.fit)),
-      axis_(AxisOf(picture)),
-      projection_(View{}) {
+    : picture_(picture), corrected_(RightPoses(picture)), axis_(AxisOf(picture)), projection_(View{}) {
   for (const joint::Transform& pose : corrected_) middle_ += pose.p / static_cast<double>(corrected_.size());
   double reach = 0;
   for (const joint::Transform& pose : corrected_) reach = std::max(reach, (pose.p - middle_).norm());
@@ -152,11 +164,27 @@ Drawing::Drawing(const JointPicture& picture, JointView view)
   projection_ = Projection(ViewOf(axis_, picture.fit.joint.type, middle_, view));
 }
 
+// Of a two-axis joint, where A carries it halfway along the poses.
+std::optional<Segment> Drawing::SecondAxis() const {
+  const NamedParameter* direction = Find(picture_, ParameterKind::kDirection, Link::kA);
+  const NamedParameter* point = Find(picture_, ParameterKind::kPoint, Link::kA);
+  if (picture_.fit.joint.type != JointType::kTwoAxis || direction == nullptr || point == nullptr)
+    return std::nullopt;
+  const joint::Transform& X_BA = corrected_[corrected_.size() / 2];
+  const Vector3d half = 0.7 * size_ * (X_BA.R * direction->value.head<3>()),
+                 at = X_BA * Vector3d(point->value.head<3>());
+  return Segment{at - half, at + half};
+}
+
 std::vector<ViewPoint> Drawing::Everything() const {
   std::vector<ViewPoint> points;
   for (const joint::Transform& pose : Thinned(corrected_)) points.push_back(At(pose.p));
   for (const joint::Transform& pose : Spread(corrected_, kFrames)) {
     for (int k = 0; k < 3; ++k) points.push_back(At(pose.p + 0.25 * size_ * pose.R.col(k)));
+  }
+  if (const auto second = SecondAxis()) {
+    points.push_back(At(second->first));
+    points.push_back(At(second->second));
   }
   if (axis_) {
     points.push_back(At(axis_->point + low_ * axis_->direction));
@@ -242,6 +270,7 @@ std::string Drawing::Finish() {
   SvgCanvas canvas(Everything(), 430, 400);
   if (axis_) DrawBand(&canvas);
   DrawPoses(&canvas);
+  if (const auto second = SecondAxis()) canvas.Arrow(At(second->first), At(second->second), kSecondColour);
   DrawAxis(&canvas);
   std::vector<SvgCanvas::Axis> triad;
   for (int k = 0; k < 3; ++k)
