@@ -3,6 +3,7 @@
 /// Errors  InputError for bad input and for output that cannot be written.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -59,6 +60,12 @@ struct MoveGraphOptions {
   bool json = false;
 };
 
+struct PartsOptions {
+  std::vector<std::string> scans;  // files of points
+  std::string svg;                 // a file for a drawing; empty: none
+  bool json = false;
+};
+
 /// Of the commands `tact knot ...`; each uses some.
 struct KnotOptions {
   std::vector<std::string> inputs;       // P-data or curves: files, examples or texts
@@ -76,6 +83,20 @@ struct KnotOptions {
   bool json = false;
 };
 
+struct JointOptions {
+  std::vector<std::string> files;    // one log of A in B, or one of A and one of B in a common frame
+  std::string type;                  // empty: to be found out
+  std::string method = "robust";     // or, with a type, "gaussian", "least-squares"
+  std::string unit;                  // of locations; empty: as a header says, else m
+  std::string quaternion = "xyzw";   // the order where no names tell
+  bool inverse = false;              // the log is of B in A
+  std::optional<double> time_limit;  // second, between poses of two logs
+  bool predict = false;              // hold poses back and predict them
+  std::uint64_t seed = 1;
+  std::string page;  // a file for the report; empty: none
+  bool json = false;
+};
+
 /// Motion DOFs of each contact relation of a file.
 ExitStatus RunDof(const FileOptions& options);
 /// Contact modes of each contact relation of a file.
@@ -84,6 +105,10 @@ ExitStatus RunModes(const FileOptions& options);
 ExitStatus RunContacts(const ContactsOptions& options);
 /// Contact relations, transitions, sub-skills and critical transitions of a demonstration.
 ExitStatus RunRecognize(const FileOptions& options);
+/// Which joint a log of poses shows, where it is, how sure.
+ExitStatus RunJoint(const JointOptions& options);
+/// Two parts of a linkage, divided by scans of it in different states, and the axis about which they turn.
+ExitStatus RunParts(const PartsOptions& options);
 /// The ledger of claims on trial; writes the report.
 ExitStatus RunVerify(const VerifyOptions& options);
 /// The exact list of DOF classes, with witnesses from a finite world.

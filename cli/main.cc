@@ -9,6 +9,7 @@
 
 #include "algebra/error.h"
 #include "cli/commands.h"
+#include "cli/joint_parser.h"
 #include "cli/knot_parser.h"
 
 namespace tact::cli {
@@ -40,6 +41,16 @@ constexpr const char* kRecognizeHelp =
     "   \"states\":[{\"name\":\"A\",\"pose\":{\"t\":[0,0,3],\"q\":[1,0,0,0]}},...]}\n"
     "  {\"relations\":[{\"name\":\"A\",\"contacts\":[...]},...]}\n"
     "Example: tact recognize examples/peg_in_hole/demonstration.json";
+
+constexpr const char* kPartsHelp =
+    "Each SCAN is a text of points, x y z a line: the surface of one object of two rigid parts, nothing "
+    "else, "
+    "seen from\n"
+    "about the same side, each time in another state. Lengths are in the unit of the scans, angles in JSON "
+    "in "
+    "radian.\n"
+    "Points near the axis, which either part's motion explains, stay undecided (? in JSON).\n"
+    "Example: tact parts examples/plier/*.xyz --svg plier.svg";
 
 constexpr const char* kVerifyHelp =
     "Puts every claim of the ledger on trial and writes a folder with index.html for people, ledger.json "
@@ -135,6 +146,7 @@ bool IsCommand(const CLI::App& app, const std::string& word) {
 struct Request {
   FileOptions file;
   ContactsOptions contacts;
+  PartsOptions parts;
   VerifyOptions verify;
   EnumerateOptions classes;
   EnumerateOptions transitions;
@@ -168,6 +180,17 @@ void AddContactsCommand(CLI::App& app, Request& request) {
   parser->add_option("--svg", options.svg, "draw the models and their contacts into this file");
   parser->add_flag("--json", options.json, "answer with a contact relation in JSON");
   parser->callback([&request] { request.run = [&request] { return RunContacts(request.contacts); }; });
+}
+
+void AddPartsCommand(CLI::App& app, Request& request) {
+  PartsOptions& options = request.parts;
+  CLI::App* parser =
+      app.add_subcommand("parts", "A linkage's two parts and its axis, from scans of its states");
+  parser->footer(kPartsHelp);
+  parser->add_option("SCAN", options.scans, "files of points, two or more")->required();
+  parser->add_option("--svg", options.svg, "draw the first scan's parts and the axis into this file");
+  parser->add_flag("--json", options.json, "answer in JSON");
+  parser->callback([&request] { request.run = [&request] { return RunParts(request.parts); }; });
 }
 
 void AddVerifyCommand(CLI::App& app, Request& request) {
@@ -253,6 +276,8 @@ void AddCommands(CLI::App& app, Request& request) {
   AddContactsCommand(app, request);
   AddFileCommand(app, request, "recognize", "A demonstration's contact relations, transitions and sub-skills",
                  "DEMO", kRecognizeHelp, RunRecognize);
+  AddJointCommand(app, request.run);
+  AddPartsCommand(app, request);
   AddVerifyCommand(app, request);
   AddEnumerateCommand(app, request);
   AddKnotCommand(app, request.run);

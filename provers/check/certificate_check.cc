@@ -9,7 +9,7 @@
 namespace tact::check {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, void (*)(const Value&)>, 14> kKinds = {{
+constexpr std::array<std::pair<std::string_view, void (*)(const Value&)>, 16> kKinds = {{
     {"motion-dofs", CheckMotionDofs},
     {"transitions", CheckTransitions},
     {"basis", CheckBasis},
@@ -24,6 +24,8 @@ constexpr std::array<std::pair<std::string_view, void (*)(const Value&)>, 14> kK
     {"knot-face-search", CheckKnotFaceSearch},
     {"knot-parts", CheckKnotParts},
     {"knot-subdivision", CheckKnotSubdivision},
+    {"identity", CheckIdentity},
+    {"no-identity", CheckNoIdentity},
 }};
 constexpr std::array<std::string_view, 6> kCommonKeys = {"format", "version",   "claim",
                                                          "kind",   "statement", "note"};

@@ -45,5 +45,9 @@ void CheckKnotFaceSearch(const Value& certificate);
 void CheckKnotParts(const Value& certificate);
 /// A barycentric subdivision that is not three-connected.
 void CheckKnotSubdivision(const Value& certificate);
+/// Polynomial equations that follow from given ones.
+void CheckIdentity(const Value& certificate);
+/// Values at which the given equations hold and another does not.
+void CheckNoIdentity(const Value& certificate);
 
 }  // namespace tact::check

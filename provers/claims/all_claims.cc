@@ -4,10 +4,10 @@ namespace tact::provers {
 
 std::vector<Claim> AllClaims() {
   std::vector<Claim> all;
-  for (auto part :
-       {DisplacementClaims(), PropositionClaims(), MotionDofClaims(), DofClassClaims(), DofTransitionClaims(),
-        SubSkillRuleClaims(), TransitionFrequencyClaims(), SingularClaims(), PegInsertionClaims(),
-        KnotProjectionClaims(), KnotMoveClaims(), KnotTyingClaims(), KnotWatchedClaims()}) {
+  for (auto part : {DisplacementClaims(), PropositionClaims(), MotionDofClaims(), DofClassClaims(),
+                    DofTransitionClaims(), SubSkillRuleClaims(), TransitionFrequencyClaims(),
+                    SingularClaims(), PegInsertionClaims(), JointClaims(), PlierClaims(),
+                    KnotProjectionClaims(), KnotMoveClaims(), KnotTyingClaims(), KnotWatchedClaims()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;

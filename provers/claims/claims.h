@@ -26,6 +26,10 @@ std::vector<Claim> SubSkillRuleClaims();
 std::vector<Claim> TransitionFrequencyClaims();
 /// [thesis, 2.8.2]: the peg insertion and its seven transitions.
 std::vector<Claim> PegInsertionClaims();
+/// [thesis, chapter 4]: joints.
+std::vector<Claim> JointClaims();
+/// [thesis, 4.5.3]: the two parts of a plier from range images, and its axis.
+std::vector<Claim> PlierClaims();
 /// [thesis, 5.1 and 5.4.1]: P-data and knot projections, Propositions 7 to 9.
 std::vector<Claim> KnotProjectionClaims();
 /// [thesis, 5.2 and 5.3]: the rules that detect moves, Propositions 10 to 15.

@@ -53,8 +53,9 @@ Projection::Projection(const View& view) {
   up_ = Cross(toward_viewer_, right_);
 }
 
-ViewPoint Projection::operator()(const algebra::Vector3& v) const {
-  const Triple point = algebra::ToDouble(v);
+ViewPoint Projection::operator()(const algebra::Vector3& v) const { return At(algebra::ToDouble(v)); }
+
+ViewPoint Projection::At(const Triple& point) const {
   return {Dot(right_, point), Dot(up_, point), Dot(toward_viewer_, point)};
 }
 

@@ -31,6 +31,7 @@ class Projection {
   explicit Projection(const View& view);
 
   ViewPoint operator()(const algebra::Vector3& v) const;
+  ViewPoint At(const std::array<double, 3>& v) const;
   /// The same way, of unit length, however large the entries. PreconditionError: v is zero.
   ViewPoint Direction(const algebra::Vector3& v) const;
 

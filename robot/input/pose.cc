@@ -2,24 +2,17 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "algebra/error.h"
 #include "robot/input/json_stream.h"
+#include "robot/input/rotation_quaternion.h"
 
 namespace tact::input {
 namespace {
 
-using algebra::Dot;
 using algebra::Rational;
 using algebra::Rotation;
 using algebra::Vector3;
-
-std::string Short(const Rational& value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", ToDouble(value));
-  return text;
-}
 
 Rotation NearestRational(double w, double x, double y, double z) {
   return Rotation::FromQuaternion(Rational::FromShortestDecimal(w), Rational::FromShortestDecimal(x),
@@ -53,46 +46,10 @@ PoseInput ParseAxisAngle(const JsonValue& axis_value, const JsonValue& angle_val
       false};
 }
 
-// Refuses what is further from a rotation than kLargestMatrixError, saying in what and how far.
-void ExpectNearRotation(const JsonValue& value, const Rotation& matrix) {
-  const Rational allowed = Rational::FromShortestDecimal(kLargestMatrixError);
-  for (int i = 0; i < 3; ++i) {
-    for (int j = i; j < 3; ++j) {
-      const Rational product = Dot(matrix.rows[i], matrix.rows[j]);
-      if (Abs(product - Rational(i == j ? 1 : 0)) <= allowed) continue;
-      const std::string rows =
-          i == j ? "row " + std::to_string(i + 1) + " times itself is "
-                 : "rows " + std::to_string(i + 1) + " and " + std::to_string(j + 1) + " have the product ";
-      value.Fail("expected a rotation matrix, got no rotation: " + rows + Short(product) + ", not " +
-                 (i == j ? "1" : "0"));
-    }
-  }
-  if (Dot(Cross(matrix.rows[0], matrix.rows[1]), matrix.rows[2]).sign() < 0) {
-    value.Fail("expected a rotation matrix, got no rotation: the determinant is -1 (a mirror image)");
-  }
-}
-
-// The quaternion of a matrix, from the largest of its four squares: no cancellation [Shepperd, 1978].
-Rotation RoundToQuaternion(const Rotation& matrix) {
-  double m[3][3];
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) m[i][j] = ToDouble(matrix.rows[i][j]);
-  }
-  const double trace = m[0][0] + m[1][1] + m[2][2];
-  int largest = 0;
-  for (int i = 1; i < 3; ++i) {
-    if (m[i][i] > m[largest][largest]) largest = i;
-  }
-  if (trace >= m[largest][largest]) {
-    const double w = 1 + trace;  // 4 w^2, all four scaled by 4 w
-    return NearestRational(w, m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1]);
-  }
-  const int i = largest, j = (i + 1) % 3, k = (i + 2) % 3;
-  std::array<double, 3> v{};
-  v[i] = 1 + m[i][i] - m[j][j] - m[k][k];
-  v[j] = m[j][i] + m[i][j];
-  v[k] = m[k][i] + m[i][k];
-  return NearestRational(m[k][j] - m[j][k], v[0], v[1], v[2]);
+RotationRows RowsOf(const Rotation& matrix) {
+  RotationRows rows;
+  for (int i = 0; i < 3; ++i) rows[i] = ToDouble(matrix.rows[i]);
+  return rows;
 }
 
 PoseInput ParseMatrix(const JsonValue& value) {
@@ -102,14 +59,15 @@ PoseInput ParseMatrix(const JsonValue& value) {
   if (!value.is_array() || value.size() != 3) value.FailExpected(kWanted);
   for (const JsonValue row : value.Elements(kWanted)) matrix.rows[i++] = row.ReadVector3();
   if (IsRotation(matrix)) return {{matrix, {}}, true};
-  ExpectNearRotation(value, matrix);
-  return {{RoundToQuaternion(matrix), {}}, false};
+  const RotationRows rows = RowsOf(matrix);
+  if (const auto fault = RotationFault(rows, kLargestMatrixError))
+    value.Fail("expected a rotation matrix, got no rotation: " + *fault);
+  const auto [w, x, y, z] = QuaternionOf(rows);
+  return {{NearestRational(w, x, y, z), {}}, false};
 }
 
-}  // namespace
-
-PoseInput ParsePose(const JsonValue& value) {
-  value.ExpectObject({"t", "q", "axis", "angle", "matrix"});
+// The members that every pose has.
+PoseInput ParseMembers(const JsonValue& value) {
   const Vector3 translation = value.At("t").ReadVector3();
   const auto q = value.Find("q"), axis = value.Find("axis"), angle = value.Find("angle"),
              matrix = value.Find("matrix");
@@ -125,6 +83,20 @@ PoseInput ParsePose(const JsonValue& value) {
   if (axis || angle) input = ParseAxisAngle(value.At("axis"), value.At("angle"));
   if (matrix) input = ParseMatrix(*matrix);
   input.pose.translation = translation;
+  return input;
+}
+
+}  // namespace
+
+PoseInput ParsePose(const JsonValue& value) {
+  value.ExpectObject({"t", "q", "axis", "angle", "matrix"});
+  return ParseMembers(value);
+}
+
+TimedPoseInput ParseTimedPose(const JsonValue& value) {
+  value.ExpectObject({"time", "t", "q", "axis", "angle", "matrix"});
+  TimedPoseInput input{ParseMembers(value), std::nullopt};
+  if (const auto time = value.Find("time")) input.time = time->ReadRational();
   return input;
 }
 

@@ -10,6 +10,7 @@
 /// kLargestMatrixError.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "algebra/screw/pose.h"
@@ -27,6 +28,13 @@ struct PoseInput {
 };
 
 PoseInput ParsePose(const JsonValue& value);
+
+struct TimedPoseInput : PoseInput {
+  std::optional<algebra::Rational> time;
+};
+
+/// A pose that may have a "time" beside it.
+TimedPoseInput ParseTimedPose(const JsonValue& value);
 
 /// From the command line: the text itself if it begins with '{', otherwise a file's name; option names it in
 /// messages.

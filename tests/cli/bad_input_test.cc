@@ -231,7 +231,8 @@ TEST(BadInput, CommandsAndOptionsThatAreNoneAreNamed) {
                 "enumerate --help says "
                 "more");
   ExpectRefused({"frobnicate"},
-                "expected a command, one of dof, modes, contacts, recognize, verify, enumerate, knot, got "
+                "expected a command, one of dof, modes, contacts, recognize, joint, parts, verify, "
+                "enumerate, knot, got "
                 "'frobnicate'; tact "
                 "--help says more");
   ExpectRefused({"dof", "--wrong", "-"},
