@@ -15,6 +15,7 @@
 #include "algebra/exact/linear_algebra.h"
 #include "enumerators/contact_world.h"
 #include "enumerators/dof_class.h"
+#include "tests/provers/formula_oracle.h"
 #include "tests/provers/knot_graph_oracle.h"
 #include "tests/provers/knot_oracle.h"
 
@@ -328,6 +329,8 @@ inline bool IsRight(const json& c) {
   if (kind == "knot-parts" || kind == "knot-embedding" || kind == "knot-face-search" ||
       kind == "knot-subdivision")
     return KnotGraphIsRight(c);
+  if (kind == "identity") return IdentityIsRight(c);
+  if (kind == "no-identity") return NoIdentityIsRight(c);
   if (kind != "motion-dofs") return false;
   const auto dof = RightRelation(c["relation"]);
   return dof && AssertsHold(c, *dof);
