@@ -2,52 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-
-#include "robot/input/demonstration.h"
 #include "robot/perception/random_numbers.h"
-#include "robot/recognition/posed_models.h"
+#include "tests/robot/recognition/peg_states.h"
 
 namespace tact::recognition {
 namespace {
 
 using joint::Transform;
-
-const std::string kRoot = TACT_SOURCE_DIR;
-
-Transform ToTransform(const algebra::Pose& X) {
-  Transform answer;
-  for (int i = 0; i < 3; ++i) {
-    const auto& row = X.rotation.rows[static_cast<size_t>(i)];
-    answer.R.row(i) << algebra::ToDouble(row.x), algebra::ToDouble(row.y), algebra::ToDouble(row.z);
-  }
-  answer.p << algebra::ToDouble(X.translation.x), algebra::ToDouble(X.translation.y),
-      algebra::ToDouble(X.translation.z);
-  return answer;
-}
-
-Transform Moved(const Transform& X, const Eigen::Matrix<double, 6, 1>& twist) {
-  const Eigen::Matrix3d R = joint::RotationExp(twist.head<3>());
-  return {R * X.R, R * X.p + twist.tail<3>()};
-}
-
-// The states of the example, where geometry is exact.
-struct PegStates : testing::Test {
-  PegStates() {
-    const std::string path = kRoot + "/examples/peg_in_hole/demonstration.json";
-    std::ifstream file(path);
-    demonstration = std::get<input::PoseDemonstration>(input::ReadDemonstration(file, path));
-    models = LoadModels(demonstration.models);
-    moving = ToDouble(models.moving);
-    fixed = ToDouble(models.fixed);
-  }
-  std::vector<PointContact> ContactsIn(const input::NamedPose& state) const {
-    return PointContactsOf(ContactsInPose(models, state.pose.pose, state.where), models.moving, models.fixed);
-  }
-  input::PoseDemonstration demonstration;
-  ModelPair models;
-  SolidF moving, fixed;
-};
 
 TEST_F(PegStates, EveryPointContactHasNoGapInItsState) {
   for (const auto& state : demonstration.states) {

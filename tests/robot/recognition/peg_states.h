@@ -1,0 +1,49 @@
+/// @file
+/// The states of the peg insertion among the examples, where geometry is exact.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+
+#include "robot/input/demonstration.h"
+#include "robot/recognition/point_contact.h"
+#include "robot/recognition/posed_models.h"
+
+namespace tact::recognition {
+
+inline joint::Transform ToTransform(const algebra::Pose& X) {
+  joint::Transform answer;
+  for (int i = 0; i < 3; ++i) {
+    const auto& row = X.rotation.rows[static_cast<size_t>(i)];
+    answer.R.row(i) << ToDouble(row.x), ToDouble(row.y), ToDouble(row.z);
+  }
+  answer.p << ToDouble(X.translation.x), ToDouble(X.translation.y), ToDouble(X.translation.z);
+  return answer;
+}
+
+/// A small motion in the fixed frame, about its origin.
+inline joint::Transform Moved(const joint::Transform& X, const Eigen::Matrix<double, 6, 1>& twist) {
+  const Eigen::Matrix3d R = joint::RotationExp(twist.head<3>());
+  return {R * X.R, R * X.p + twist.tail<3>()};
+}
+
+struct PegStates : testing::Test {
+  PegStates() {
+    const std::string path = std::string(TACT_SOURCE_DIR) + "/examples/peg_in_hole/demonstration.json";
+    std::ifstream file(path);
+    demonstration = std::get<input::PoseDemonstration>(input::ReadDemonstration(file, path));
+    models = LoadModels(demonstration.models);
+    moving = ToDouble(models.moving);
+    fixed = ToDouble(models.fixed);
+  }
+  std::vector<PointContact> ContactsIn(const input::NamedPose& state) const {
+    return PointContactsOf(ContactsInPose(models, state.pose.pose, state.where), models.moving, models.fixed);
+  }
+  input::PoseDemonstration demonstration;
+  ModelPair models;
+  SolidF moving, fixed;
+};
+
+}  // namespace tact::recognition
