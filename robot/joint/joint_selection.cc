@@ -82,8 +82,10 @@ void Decide(JointSelection& selection, Poses poses) {
   } else if (candidates.size() == 1) {
     selection.reason = "no other type explains the poses nearly as well";
   } else {
+    std::vector<JointType> others = candidates;
+    std::erase(others, *special);
     selection.reason =
-        "the simplest type that explains the poses; the others in reach contain it: " + ListOf(candidates);
+        "the simplest type that explains the poses; the others in reach contain it: " + ListOf(others);
   }
 }
 
