@@ -286,12 +286,14 @@ ExactPose FindExactPose(const Polyhedron& moving, const Polyhedron& fixed,
     return answer;
   }
   const Pose X{*R, *location};
-  answer.found = FindContacts(Transform(moving, X), fixed, 0);
+  const Polyhedron moved = Transform(moving, X);
+  answer.found = FindContacts(moved, fixed, 0);
   if (answer.found.penetration) {
     answer.why = "the exact pose nearby penetrates by " +
                  std::to_string(std::sqrt(ToDouble(answer.found.penetration->squared_depth)));
     return answer;
   }
+  answer.contacts = PointContactsOf(answer.found, moved, fixed);
   answer.X_FM = X;
   return answer;
 }

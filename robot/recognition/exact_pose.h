@@ -24,8 +24,9 @@ inline constexpr double kAligned = 1e-5;
 
 struct ExactPose {
   std::optional<algebra::Pose> X_FM;
-  algebra::FoundContacts found;  // there, at tolerance zero
-  std::string why;               // there is none
+  algebra::FoundContacts found;        // there, at tolerance zero
+  std::vector<PointContact> contacts;  // found
+  std::string why;                     // there is none
 };
 
 /// At the answer every one of `contacts` has gap zero and nothing penetrates; there may be more contacts than these.

@@ -34,7 +34,7 @@ struct PointContact {
 std::string ToString(const PointContact& contact);
 
 /// The point contacts of contacts found at tolerance zero, sorted: for every separate plane of every contact the vertices
-/// and faces in it, and where there are none the crossing edges it comes from.
+/// and faces in it, and where there are none the crossing edges it comes from. Both solids in place, as they were found.
 std::vector<PointContact> PointContactsOf(const algebra::FoundContacts& found,
                                           const algebra::Polyhedron& moving,
                                           const algebra::Polyhedron& fixed);

@@ -39,7 +39,8 @@ struct PegStates : testing::Test {
     fixed = ToDouble(models.fixed);
   }
   std::vector<PointContact> ContactsIn(const input::NamedPose& state) const {
-    return PointContactsOf(ContactsInPose(models, state.pose.pose, state.where), models.moving, models.fixed);
+    return PointContactsOf(ContactsInPose(models, state.pose.pose, state.where),
+                           Transform(models.moving, state.pose.pose), models.fixed);
   }
   input::PoseDemonstration demonstration;
   ModelPair models;
