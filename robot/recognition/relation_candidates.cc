@@ -213,8 +213,8 @@ class Search {
       if (gap >= kClosed || AsideOf(near, solids_, closed.X) >= kClosed) continue;
       (gap > -kClosed ? grown.contacts : deep).push_back(near);
     }
-    if (!std::includes(grown.contacts.begin(), grown.contacts.end(), contacts.begin(), contacts.end()))
-      return;
+    // Contacts beside their faces or edges are none; others may hold in their place.
+    if (RankOf(pose_, grown.contacts, closed.X) < closed.rank) return;
     if (!seen_.insert(grown.contacts).second) return;
     grown.cost = grown.change.squaredNorm() / 2 - search_.reward * grown.taken;
     next->push_back({std::move(grown), std::move(deep)});
