@@ -26,6 +26,8 @@ bool Read(std::istream& stream, MeshFormat format, std::vector<Point>& points,
       return CGAL::IO::read_STL(stream, points, polygons, quiet);
     case MeshFormat::kPly:
       return CGAL::IO::read_PLY(stream, points, polygons, quiet);
+    case MeshFormat::kStep:
+      break;
   }
   return false;
 }

@@ -11,6 +11,8 @@
 #include "algebra/error.h"
 #include "robot/cad/cgal_soup.h"
 #include "robot/cad/mesh_screen.h"
+#include "robot/cad/planar_faces.h"
+#include "robot/cad/step_file.h"
 
 namespace tact::cad {
 namespace {
@@ -29,6 +31,8 @@ ScreenedMesh Screen(std::string_view contents, MeshFormat format, const std::str
       return ScreenStl(contents, name);
     case MeshFormat::kPly:
       return ScreenPly(contents, name);
+    case MeshFormat::kStep:
+      break;
   }
   throw PreconditionError("an unknown mesh format");
 }
@@ -81,6 +85,22 @@ std::string PlaceOf(const algebra::SoupDefect& defect, const ScreenedMesh& scree
   return name + ":" + std::to_string(screened.polygon_lines[defect.polygon]) + face;
 }
 
+Mesh ReadStep(std::string_view contents, const std::string& name, LengthUnit target) {
+  const std::vector<LoopedFace> faces = ReadStepFaces(contents, name);
+  const PlanarFaces planar = MakePlanar(faces, name);
+  try {
+    Mesh mesh{algebra::BuildPolyhedron(planar.soup), planar.notes};
+    Scale(Ratio(LengthUnit::kMillimetre, target), &mesh.solid);
+    return mesh;
+  } catch (const algebra::SoupError& error) {
+    const size_t polygon = error.defect().polygon;
+    throw InputError(
+        name + ": " +
+        (polygon == algebra::SoupDefect::kNone ? "" : faces[planar.face_of_polygon[polygon]].name + ": ") +
+        error.defect().what);
+  }
+}
+
 }  // namespace
 
 MeshFormat MeshFormatOf(const std::string& path) {
@@ -90,7 +110,8 @@ MeshFormat MeshFormatOf(const std::string& path) {
   if (extension == ".obj") return MeshFormat::kObj;
   if (extension == ".stl") return MeshFormat::kStl;
   if (extension == ".ply") return MeshFormat::kPly;
-  throw InputError(path + ": expected a mesh file named .off, .obj, .stl or .ply, got " +
+  if (extension == ".step" || extension == ".stp") return MeshFormat::kStep;
+  throw InputError(path + ": expected a mesh file named .off, .obj, .stl, .ply, .step or .stp, got " +
                    (extension.empty() ? "no extension" : "\"" + extension + "\""));
 }
 
@@ -111,6 +132,7 @@ Mesh ReadMesh(const std::string& path, LengthUnit unit, LengthUnit target) {
 Mesh ReadMesh(std::string_view contents, MeshFormat format, const std::string& name, LengthUnit unit,
               LengthUnit target) {
   if (contents.empty()) throw InputError(name + ": expected a mesh, got an empty file");
+  if (format == MeshFormat::kStep) return ReadStep(contents, name, target);
   ScreenedMesh screened = Screen(contents, format, name);
   const auto soup = ReadSoup(screened.contents, format);
   if (!soup) throw InputError(name + ": expected a mesh, got contents that the mesh reader refuses");

@@ -18,9 +18,10 @@ PoseDemonstration ParseStates(const JsonValue& value, const std::string& source)
   demonstration.models = ParseCadModels(value, source);
   const JsonValue states = value.At("states");
   for (const JsonValue state : states.Elements("an array of states")) {
-    state.ExpectObject({"name", "pose"});
+    state.ExpectObject({"name", "time", "pose"});
     const std::string name = NameOf(state, demonstration.states.size());
-    demonstration.states.push_back({name, ParsePose(state.At("pose")), state.Where()});
+    demonstration.states.push_back({name, ParsePose(state.At("pose")), state.Where(), std::nullopt});
+    if (const auto time = state.Find("time")) demonstration.states.back().time = time->ReadRational();
   }
   if (demonstration.states.empty()) states.FailExpected("at least one state");
   return demonstration;

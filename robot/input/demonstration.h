@@ -3,11 +3,12 @@
 /// Model
 /// {"moving":"peg.off","fixed":"slot.off","unit":"mm","tolerance":0,"states":[{"name":"A","pose":{...}},...]},
 ///         or {"relations":[{"name":"A","contacts":[...]},...]}, or contact relations one a line.
-///         A state without a name has its number, from 1, as its name.
+///         A state without a name has its number, from 1, as its name; it may have a "time" in seconds.
 /// Errors  InputError; among it a demonstration without states.
 #pragma once
 
 #include <istream>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -22,6 +23,7 @@ struct NamedPose {
   std::string name;
   PoseInput pose;
   std::string where;  // "file:line:column"
+  std::optional<algebra::Rational> time = std::nullopt;
 };
 
 /// Two solids and the poses of the moving one.

@@ -38,6 +38,12 @@ void Append(const input::LoggedPose& a, const Transform& X_BA, bool timed, PoseS
   if (timed) series->times.push_back(a.time);
 }
 
+void AppendPair(const input::LoggedPose& a, const input::LoggedPose& b, bool timed, PoseSeries* series) {
+  const Transform X_WB = TransformOf(b);
+  series->X_WB.push_back(X_WB);
+  Append(a, X_WB.Inverse() * TransformOf(a), timed, series);
+}
+
 PoseSeries MatchLineByLine(const input::PoseLog& A_in_W, const input::PoseLog& B_in_W) {
   if (A_in_W.poses.size() != B_in_W.poses.size()) {
     throw InputError(B_in_W.name + ": expected as many poses as " + A_in_W.name + " has, " +
@@ -47,8 +53,7 @@ PoseSeries MatchLineByLine(const input::PoseLog& A_in_W, const input::PoseLog& B
   }
   PoseSeries series;
   for (size_t i = 0; i < A_in_W.poses.size(); ++i) {
-    Append(A_in_W.poses[i], TransformOf(B_in_W.poses[i]).Inverse() * TransformOf(A_in_W.poses[i]),
-           A_in_W.has_times, &series);
+    AppendPair(A_in_W.poses[i], B_in_W.poses[i], A_in_W.has_times, &series);
   }
   series.notes = {"the logs are matched line by line"};
   return series;
@@ -63,7 +68,7 @@ PoseSeries MatchByTime(const input::PoseLog& A_in_W, const input::PoseLog& B_in_
     while (k + 1 < B_in_W.poses.size() && apart(k + 1) <= apart(k)) ++k;
     if (apart(k) > limit) continue;
     widest = std::max(widest, apart(k));
-    Append(a, TransformOf(B_in_W.poses[k]).Inverse() * TransformOf(a), true, &series);
+    AppendPair(a, B_in_W.poses[k], true, &series);
   }
   if (series.poses.empty()) {
     throw InputError(B_in_W.name + ": expected times of " + A_in_W.name + " within " + Short(limit) +

@@ -25,6 +25,7 @@ inline constexpr double kFarAway = 50;
 
 struct PoseSeries {
   std::vector<Transform> poses;    // X_BA
+  std::vector<Transform> X_WB;     // of two logs, B's pose for each; empty for one log
   std::vector<double> times;       // second; empty: the log has none
   std::vector<std::size_t> lines;  // of the (first) log
   std::vector<std::string> notes;  // what was matched and left out

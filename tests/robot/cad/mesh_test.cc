@@ -194,7 +194,9 @@ TEST(Mesh, FormatsAreKnownByTheirExtensionInAnyCase) {
   EXPECT_EQ(MeshFormatOf("a.b/c.OFF"), MeshFormat::kOff);
   EXPECT_EQ(MeshFormatOf("c.Obj"), MeshFormat::kObj);
   EXPECT_THROW(MeshFormatOf("off"), InputError);
-  EXPECT_THROW(MeshFormatOf("c.step"), InputError);
+  EXPECT_EQ(MeshFormatOf("c.STP"), MeshFormat::kStep);
+  EXPECT_EQ(MeshFormatOf("c.step"), MeshFormat::kStep);
+  EXPECT_THROW(MeshFormatOf("c.iges"), InputError);
   EXPECT_THROW(ReadMesh("no-such-file.off", kMm, kMm), InputError);
 }
 

@@ -1,0 +1,18 @@
+# Finds what reading STEP takes of OpenCASCADE: Occt::step to link, OCCT_INCLUDE_DIR for the one source that includes it. Its
+# own package file would add definitions for a whole folder.
+find_path(OCCT_INCLUDE_DIR STEPControl_Reader.hxx PATH_SUFFIXES opencascade occt)
+set(OCCT_LIBRARIES)
+set(occt_found OCCT_INCLUDE_DIR)
+foreach(name TKSTEP TKSTEPBase TKXSBase TKBRep TKTopAlgo TKG3d TKGeomBase TKMath TKernel)
+  find_library(OCCT_${name}_LIBRARY ${name})
+  list(APPEND OCCT_LIBRARIES ${OCCT_${name}_LIBRARY})
+  list(APPEND occt_found OCCT_${name}_LIBRARY)
+  mark_as_advanced(OCCT_${name}_LIBRARY)
+endforeach()
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(Occt REQUIRED_VARS ${occt_found})
+if(OCCT_FOUND AND NOT TARGET Occt::step)
+  add_library(Occt::step INTERFACE IMPORTED)
+  target_link_libraries(Occt::step INTERFACE ${OCCT_LIBRARIES})
+endif()
+mark_as_advanced(OCCT_INCLUDE_DIR)
