@@ -18,7 +18,7 @@
 #include "robot/joint/least_squares.h"
 #include "robot/joint/rectangular_noise.h"
 #include "robot/joint/robust.h"
-#include "tests/robot/joint/simulated_joint.h"
+#include "robot/joint/simulated_joint.h"
 
 namespace tact::joint {
 namespace {

@@ -3,21 +3,15 @@
 #include <algorithm>
 
 #include "algebra/contact/dof_pairing.h"
+#include "robot/recognition/transition_validity.h"
 
 namespace tact::recognition {
 namespace {
 
-bool SamePrimitives(const SeenRelation& a, const SeenRelation& b) {
-  return std::equal(a.primitives.begin(), a.primitives.end(), b.primitives.begin(), b.primitives.end(),
-                    [](const algebra::ContactPrimitive& p, const algebra::ContactPrimitive& q) {
-                      return p.moving == q.moving && p.fixed == q.fixed;
-                    });
-}
-
 // The same elements touch, in as many points with as many planes; if no elements are known, the same contacts.
 bool SameRelation(const SeenRelation& a, const SeenRelation& b) {
   if (a.primitives.empty() && b.primitives.empty()) return a.relation == b.relation;
-  return SamePrimitives(a, b) && a.dof == b.dof;
+  return SameElements(a.primitives, b.primitives) && a.dof == b.dof;
 }
 
 void Append(SeenRelation next, Recognition& recognition) {

@@ -21,9 +21,7 @@ class NoisyPose {
  public:
   NoisyPose(const SolidPair& solids, const Transform& seen, const PoseNoise& noise)
       : solids_(solids), seen_(seen), noise_(noise) {
-    Eigen::Vector3d least = solids.moving_f.vertices.front(), most = least;
-    for (const auto& v : solids.moving_f.vertices) least = least.cwiseMin(v), most = most.cwiseMax(v);
-    middle_ = (least + most) / 2;
+    middle_ = MiddleOf(solids.moving_f);
   }
 
   Transform Changed(const Vector6& change) const {
@@ -230,6 +228,12 @@ class Search {
 };
 
 }  // namespace
+
+Eigen::Vector3d MiddleOf(const SolidF& solid) {
+  Eigen::Vector3d least = solid.vertices.front(), most = least;
+  for (const Eigen::Vector3d& v : solid.vertices) least = least.cwiseMin(v), most = most.cwiseMax(v);
+  return (least + most) / 2;
+}
 
 std::vector<RelationCandidate> FindRelationCandidates(const SolidPair& solids, const Transform& X_FM,
                                                       const CandidateSearch& search) {

@@ -42,6 +42,9 @@ struct CandidateSearch {
   double deviations = 4;  // a contact may be so many standard deviations away
 };
 
+/// The middle of a solid's bounding box, which rotations turn about.
+Eigen::Vector3d MiddleOf(const SolidF& solid);
+
 /// Best first. No near contact penetrates at a candidate's pose; whether the solids do is for the caller to find out.
 /// The empty relation is always among them, wherever the pose given is.
 std::vector<RelationCandidate> FindRelationCandidates(const SolidPair& solids, const joint::Transform& X_FM,

@@ -173,7 +173,6 @@ void TryMutations(Effort effort) {
                               "identity /equations/left",
                               "identity /equations/right",
                               "no-identity /left",
-                              "no-identity /values",
                               "knot-tying /p_data/sigma",
                               "knot-tying /p_data/attr",
                               "knot-tying /moves/segments",

@@ -148,6 +148,7 @@ const std::map<std::string, Expected>& ExpectedVerdicts() {
       {"thesis.4.6.3.success-677", {Verdict::kNotReproduced, "searches that converge succeed more often"}},
       {"thesis.4.6.3.initial-guess",
        {Verdict::kNotReproduced, "the identity leads to the least sum already"}},
+      {"thesis.4.5.3.two-part-division", {kReproduced, "points near the pin move with neither part"}},
       {"thesis.5.2.kinds-overlap", {kProved, "a kink of an end segment is thrown by either"}},
       {"thesis.5.3.1.r1-rule", {kHoldsTo, "a loop of one segment is a face of one corner"}},
       {"thesis.5.3.1.several-ways", {kProved, "a second kink before or after the first"}},

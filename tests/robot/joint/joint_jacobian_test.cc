@@ -4,7 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "robot/joint/joint_gauge.h"
-#include "tests/robot/joint/simulated_joint.h"
+#include "robot/joint/simulated_joint.h"
 
 namespace tact::joint {
 namespace {

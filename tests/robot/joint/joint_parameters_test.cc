@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/robot/joint/simulated_joint.h"
+#include "robot/joint/simulated_joint.h"
 
 namespace tact::joint {
 namespace {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "tests/robot/joint/simulated_joint.h"
+#include "robot/joint/simulated_joint.h"
 
 namespace tact::joint {
 namespace {
@@ -54,7 +54,8 @@ TEST(JointSelection, ASmallArcIsNotCalledAnythingItIsNot) {
       poses.push_back(simulation.Noisy(PoseAt(truth, {0.5 * kDegree * i / 60, 0, 0}), NoiseLaw::kGaussian));
     }
     const JointSelection selection = SelectJoint(poses);
-    EXPECT_TRUE(!selection.type || Generalises(JointType::kRevolute, *selection.type)) << NameOf(*selection.type);
+    EXPECT_TRUE(!selection.type || Generalises(JointType::kRevolute, *selection.type))
+        << NameOf(*selection.type);
   }
 }
 
@@ -88,7 +89,8 @@ TEST(JointSelection, NamesRecordedDoorsAndDrawersAndPredictsThem) {
     if (entry.path().extension() != ".log") continue;
     const std::vector<Transform> poses = Recording(entry.path());
     double turn = 0;
-    for (const Transform& X : poses) turn = std::max(turn, RotationLog(X.R * poses.front().R.transpose()).norm());
+    for (const Transform& X : poses)
+      turn = std::max(turn, RotationLog(X.R * poses.front().R.transpose()).norm());
     const JointType right = turn > 0.5 ? JointType::kRevolute : JointType::kPrismatic;
     const JointSelection selection = SelectJoint(poses);
     ASSERT_TRUE(selection.type.has_value()) << entry.path() << selection.reason;
@@ -98,8 +100,10 @@ TEST(JointSelection, NamesRecordedDoorsAndDrawersAndPredictsThem) {
     for (std::size_t i = 0; i < poses.size(); ++i) (i / 10 % 3 == 2 ? held : seen).push_back(poses[i]);
     const Joint joint = FitRobustly(right, seen, {1, 50, {0.02, 0.003}}).fit.joint;
     std::vector<double> errors;
-    for (const Transform& X : held) errors.push_back((PoseAt(joint, CoordinatesNear(joint, X)).p - X.p).norm());
-    std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2), errors.end());
+    for (const Transform& X : held)
+      errors.push_back((PoseAt(joint, CoordinatesNear(joint, X)).p - X.p).norm());
+    std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2),
+                     errors.end());
     EXPECT_LT(errors[errors.size() / 2], 0.02) << entry.path();
   }
 }

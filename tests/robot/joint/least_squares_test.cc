@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "robot/joint/simulated_joint.h"
 #include "robot/joint/small_matrix.h"
-#include "tests/robot/joint/simulated_joint.h"
 
 namespace tact::joint {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "robot/joint/joint_parameters.h"
-#include "tests/robot/joint/simulated_joint.h"
+#include "robot/joint/simulated_joint.h"
 
 namespace tact::joint {
 namespace {

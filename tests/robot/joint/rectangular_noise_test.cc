@@ -4,7 +4,7 @@
 
 #include "algebra/error.h"
 #include "robot/joint/joint_parameters.h"
-#include "tests/robot/joint/simulated_joint.h"
+#include "robot/joint/simulated_joint.h"
 
 namespace tact::joint {
 namespace {

@@ -1,0 +1,75 @@
+/// @file
+/// From a recording with a tracker's errors to contact relations, transitions and sub-skills [thesis, 2.7, 2.8].
+/// Model   Of every scene the candidates of relation_candidates.h, as exact poses (exact_pose.h); those that penetrate or have
+///         no exact pose nearby are left out. A candidate costs half its change's square, in units of the noise, minus
+///         `reward` for each DOF that its non-singular contacts take away and `singular_reward` for each that only the
+///         singular ones do: a corner on an edge is a coincidence that nothing holds in place. A step between scenes
+///         costs nothing if the same elements touch, `change` if not, and `invalid` more if transition_validity.h finds
+///         no valid transition (scenes are samples: what lies between may not have been seen). The most plausible
+///         sequence (relation_sequence.h) is recognized as exact states are.
+///         Noise that is not given is estimated: a candidate's change should be as large as the noise makes it in the
+///         DOFs that it takes away, rotation and location apart; from a start of kFirstRotation for the solid's reach.
+/// Frames  the fixed solid's.
+/// Exact   contacts, motion DOFs, transitions: of the exact poses.
+/// Cost    a tenth of a second a scene.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robot/recognition/exact_pose.h"
+#include "robot/recognition/posed_models.h"
+#include "robot/recognition/recognition.h"
+#include "robot/recognition/relation_candidates.h"
+#include "robot/recognition/transition_validity.h"
+
+namespace tact::recognition {
+
+inline constexpr double kFirstRotation = 0.035;  // radian, 2 degrees: what stereo vision does
+
+struct RecordingSearch {
+  std::optional<PoseNoise> noise;
+  double reward = 3, singular_reward = 1, change = 2, invalid = 6;  // nat
+  size_t candidates = 8;                                            // a scene, tried exactly
+};
+
+struct NamedTransform {
+  std::string name;
+  joint::Transform X_FM;
+};
+
+struct SceneCandidate {
+  algebra::Pose X_FM;
+  algebra::FoundContacts found;
+  algebra::MotionDof dof;
+  double turned = 0, moved = 0;  // from the pose seen: radian, and the solid's middle
+  double cost = 0;
+};
+
+struct RecognizedScene {
+  std::string name;
+  joint::Transform seen_FM;
+  std::vector<SceneCandidate> candidates;  // best first
+  size_t chosen = 0;
+  size_t left_out = 0;  // candidates without an exact pose
+};
+
+/// A transition that the scenes' own best candidates would make, and why it is none.
+struct RejectedTransition {
+  size_t scene = 0;  // of the second, from 0
+  TransitionValidity validity;
+};
+
+struct RecordedRecognition {
+  PoseNoise noise;
+  std::vector<RecognizedScene> scenes;
+  Recognition recognition;  // of the chosen sequence
+  std::vector<RejectedTransition> rejected;
+};
+
+/// PreconditionError: no scenes. InputError: a scene whose pose no exact one near it explains (solids that overlap deeply).
+RecordedRecognition RecognizeRecording(const ModelPair& models, const std::vector<NamedTransform>& scenes,
+                                       const RecordingSearch& search = {});
+
+}  // namespace tact::recognition
