@@ -97,6 +97,16 @@ struct JointOptions {
   bool json = false;
 };
 
+struct RecognizeOptions {
+  std::string file;  // "-" is standard input
+  bool noisy = false;
+  std::vector<double> noise;  // degrees and the models' unit, or nothing: estimated
+  std::string unit;           // of a pose list's locations; empty: mm
+  std::string states;         // a demonstration's file to write; empty: none
+  std::string page;           // an HTML file to write; empty: none
+  bool json = false;
+};
+
 /// Motion DOFs of each contact relation of a file.
 ExitStatus RunDof(const FileOptions& options);
 /// Contact modes of each contact relation of a file.
@@ -104,7 +114,7 @@ ExitStatus RunModes(const FileOptions& options);
 /// The contact relation of two models in a pose.
 ExitStatus RunContacts(const ContactsOptions& options);
 /// Contact relations, transitions, sub-skills and critical transitions of a demonstration.
-ExitStatus RunRecognize(const FileOptions& options);
+ExitStatus RunRecognize(const RecognizeOptions& options);
 /// Which joint a log of poses shows, where it is, how sure.
 ExitStatus RunJoint(const JointOptions& options);
 /// Two parts of a linkage, divided by scans of it in different states, and the axis about which they turn.

@@ -11,6 +11,7 @@
 #include "cli/commands.h"
 #include "cli/joint_parser.h"
 #include "cli/knot_parser.h"
+#include "cli/recognize_parser.h"
 
 namespace tact::cli {
 namespace {
@@ -34,13 +35,6 @@ constexpr const char* kContactsHelp =
     "\"angle\", or with \"matrix\". With --json the answer is a contact relation file for tact dof and tact "
     "modes.\n"
     "Example: tact contacts peg.off slot.off --unit mm --pose '{\"t\":[0,0,-5],\"q\":[1,0,0,0]}'";
-
-constexpr const char* kRecognizeHelp =
-    "DEMO holds two models and the poses of the moving one, or contact relations:\n"
-    "  {\"moving\":\"peg.off\",\"fixed\":\"slot.off\",\"unit\":\"mm\",\"tolerance\":0,\n"
-    "   \"states\":[{\"name\":\"A\",\"pose\":{\"t\":[0,0,3],\"q\":[1,0,0,0]}},...]}\n"
-    "  {\"relations\":[{\"name\":\"A\",\"contacts\":[...]},...]}\n"
-    "Example: tact recognize examples/peg_in_hole/demonstration.json";
 
 constexpr const char* kPartsHelp =
     "Each SCAN is a text of points, x y z a line: the surface of one object of two rigid parts, nothing "
@@ -274,8 +268,7 @@ void AddCommands(CLI::App& app, Request& request) {
   AddFileCommand(app, request, "modes", "Contact modes: every face of the legal cone", "FILE",
                  std::string(kRelationHelp) + "Example: tact modes edge_on_face.json --json", RunModes);
   AddContactsCommand(app, request);
-  AddFileCommand(app, request, "recognize", "A demonstration's contact relations, transitions and sub-skills",
-                 "DEMO", kRecognizeHelp, RunRecognize);
+  AddRecognizeCommand(app, request.run);
   AddJointCommand(app, request.run);
   AddPartsCommand(app, request);
   AddVerifyCommand(app, request);

@@ -1,0 +1,257 @@
+#include "cli/recognize_recording.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <numbers>
+#include <sstream>
+
+#include "algebra/error.h"
+#include "cli/json_text.h"
+#include "cli/output.h"
+#include "cli/recognition_text.h"
+#include "enumerators/whole_file.h"
+#include "provers/report/html.h"
+#include "provers/report/solid_drawing.h"
+#include "provers/report/text.h"
+#include "robot/input/json_stream.h"
+#include "robot/input/recorded_demonstration.h"
+#include "robot/input/rotation_quaternion.h"
+#include "robot/recognition/recorded_recognition.h"
+
+namespace tact::cli {
+namespace {
+
+using input::RecordedDemonstration;
+using recognition::RecognizedScene;
+using recognition::RecordedRecognition;
+using recognition::SceneCandidate;
+using recognition::SeenRelation;
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+struct Answer {
+  RecordedDemonstration recording;
+  recognition::ModelPair models;
+  RecordedRecognition recognized;
+  bool noise_given = false;
+};
+
+const SceneCandidate& Chosen(const RecognizedScene& scene) { return scene.candidates[scene.chosen]; }
+
+// The relation of each scene, from 0.
+std::vector<size_t> RelationOfScene(const RecordedRecognition& recognized) {
+  std::vector<size_t> relation(recognized.scenes.size());
+  const auto& relations = recognized.recognition.relations;
+  for (size_t i = 0; i < relations.size(); ++i) {
+    for (size_t k = relations[i].first; k <= relations[i].last; ++k) relation[k - 1] = i;
+  }
+  return relation;
+}
+
+// Of a relation's scenes the one whose pose had to change least, in units of the noise.
+size_t ClearestScene(const RecordedRecognition& recognized, const SeenRelation& relation) {
+  const auto change = [&](size_t k) {
+    const SceneCandidate& chosen = Chosen(recognized.scenes[k]);
+    return std::hypot(chosen.turned / recognized.noise.rotation, chosen.moved / recognized.noise.location);
+  };
+  size_t clearest = relation.first - 1;
+  for (size_t k = relation.first; k < relation.last; ++k)
+    if (change(k) < change(clearest)) clearest = k;
+  return clearest;
+}
+
+// A rational quaternion of an exact rotation, by the largest of its four squares.
+std::array<algebra::Rational, 4> QuaternionOf(const algebra::Rotation& R) {
+  const auto& r = R.rows;
+  const algebra::Rational trace = r[0].x + r[1].y + r[2].z;
+  const std::array<algebra::Rational, 4> squares = {1 + trace, 1 + 2 * r[0].x - trace, 1 + 2 * r[1].y - trace,
+                                                    1 + 2 * r[2].z - trace};
+  const auto largest = std::max_element(squares.begin(), squares.end()) - squares.begin();
+  const algebra::Rational wx = r[2].y - r[1].z, wy = r[0].z - r[2].x, wz = r[1].x - r[0].y,
+                          xy = r[0].y + r[1].x, xz = r[0].z + r[2].x, yz = r[1].z + r[2].y;
+  if (largest == 0) return {squares[0], wx, wy, wz};
+  if (largest == 1) return {wx, squares[1], xy, xz};
+  if (largest == 2) return {wy, xy, squares[2], yz};
+  return {wz, xz, yz, squares[3]};
+}
+
+std::string PoseToJson(const algebra::Pose& X) {
+  std::string text = R"({"t":)" + ToJson(X.translation) + R"(,"q":[)";
+  const auto q = QuaternionOf(X.rotation);
+  for (size_t i = 0; i < 4; ++i) text += (i == 0 ? "" : ",") + ToJson(q[i]);
+  return text + "]}";
+}
+
+std::string NoiseText(const Answer& answer) {
+  return fmt::format("errors of {:.2f} degrees and {:.2f} {} a component ({})",
+                     answer.recognized.noise.rotation * kDegrees, answer.recognized.noise.location,
+                     ToString(answer.models.unit), answer.noise_given ? "as given" : "estimated");
+}
+
+std::string SceneRange(const SeenRelation& relation) {
+  return std::to_string(relation.first) +
+         (relation.last > relation.first ? "-" + std::to_string(relation.last) : "");
+}
+
+std::string Rejected(const RecordedRecognition& recognized, size_t index) {
+  const auto& rejected = recognized.rejected[index];
+  return "scene " + recognized.scenes[rejected.scene - 1].name + " to " +
+         recognized.scenes[rejected.scene].name + ": " + ToString(rejected.validity);
+}
+
+std::string ToText(const Answer& answer) {
+  const RecordedRecognition& recognized = answer.recognized;
+  std::string text = fmt::format("{}; {}\n", answer.recording.description, NoiseText(answer)) +
+                     cli::ToText(recognized.recognition);
+  const auto relation = RelationOfScene(recognized);
+  text += fmt::format("\nwhat the poses had to change\n{:<8}{:<10}{:>12}{:>12}{:>14}\n", "scene", "relation",
+                      "turned", "moved", "candidates");
+  for (size_t k = 0; k < recognized.scenes.size(); ++k) {
+    const RecognizedScene& scene = recognized.scenes[k];
+    text += fmt::format("{:<8}{:<10}{:>8.2f} deg{:>9.2f} {}{:>14}\n", scene.name,
+                        recognized.recognition.relations[relation[k]].name, Chosen(scene).turned * kDegrees,
+                        Chosen(scene).moved, ToString(answer.models.unit), scene.candidates.size());
+  }
+  if (!recognized.rejected.empty())
+    text += "\ntransitions between the scenes' own most plausible relations that are rejected\n";
+  for (size_t i = 0; i < recognized.rejected.size(); ++i) text += "  " + Rejected(recognized, i) + "\n";
+  return text;
+}
+
+std::string ToJson(const Answer& answer) {
+  const RecordedRecognition& recognized = answer.recognized;
+  std::string text =
+      "{" + ToJsonMembers(recognized.recognition) +
+      fmt::format(R"(,"noise":{{"rotation":{},"location":{},"unit":"{}","estimated":{}}},"scenes":[)",
+                  recognized.noise.rotation, recognized.noise.location, ToString(answer.models.unit),
+                  !answer.noise_given);
+  const auto relation = RelationOfScene(recognized);
+  for (size_t k = 0; k < recognized.scenes.size(); ++k) {
+    const RecognizedScene& scene = recognized.scenes[k];
+    text +=
+        fmt::format(R"({}{{"name":{},"relation":{},"pose":{},"turned":{},"moved":{},"candidates":{}}})",
+                    k == 0 ? "" : ",", JsonString(scene.name), relation[k], PoseToJson(Chosen(scene).X_FM),
+                    Chosen(scene).turned, Chosen(scene).moved, scene.candidates.size());
+  }
+  text += R"(],"rejected":[)";
+  for (size_t i = 0; i < recognized.rejected.size(); ++i) {
+    const auto& rejected = recognized.rejected[i];
+    text += fmt::format(R"({}{{"scene":{},"why":{}}})", i == 0 ? "" : ",", rejected.scene,
+                        JsonString(ToString(rejected.validity)));
+  }
+  return text + "]}\n";
+}
+
+void WriteFile(const std::string& path, const std::string& text) {
+  const std::filesystem::path file(path);
+  enumerators::WriteWhole(file, text, file.has_parent_path() ? file.parent_path() : ".");
+}
+
+void WriteStates(const Answer& answer, const std::string& path) {
+  const input::CadModels& models = answer.recording.models;
+  std::string text = R"({"moving":)" + JsonString(std::filesystem::absolute(models.moving).string()) +
+                     R"(,"fixed":)" + JsonString(std::filesystem::absolute(models.fixed).string()) +
+                     R"(,"unit":")" + std::string(ToString(answer.models.unit)) +
+                     R"(","tolerance":0,"states":[)";
+  const auto& relations = answer.recognized.recognition.relations;
+  for (size_t i = 0; i < relations.size(); ++i) {
+    const RecognizedScene& scene = answer.recognized.scenes[ClearestScene(answer.recognized, relations[i])];
+    text += std::string(i == 0 ? "" : ",") + "\n  {\"name\":" + JsonString(relations[i].name) +
+            ",\"pose\":" + PoseToJson(Chosen(scene).X_FM) + "}";
+  }
+  WriteFile(path, text + "\n]}\n");
+}
+
+algebra::Pose Rounded(const joint::Transform& X) {
+  const auto exact = [](double value) { return algebra::Rational::FromShortestDecimal(value); };
+  const Eigen::Quaterniond q(X.R);
+  return {algebra::Rotation::FromQuaternion(exact(q.w()), exact(q.x()), exact(q.y()), exact(q.z())),
+          {exact(X.p.x()), exact(X.p.y()), exact(X.p.z())}};
+}
+
+std::string Picture(const Answer& answer, const RecognizedScene& scene) {
+  const SceneCandidate& chosen = Chosen(scene);
+  return provers::DrawContactRelation(
+      {{Transform(answer.models.moving, chosen.X_FM), provers::Part::kMoving},
+       {Transform(answer.models.moving, Rounded(scene.seen_FM)), provers::Part::kOutline},
+       {answer.models.fixed, provers::Part::kFixed}},
+      chosen.found.relation);
+}
+
+void WritePage(const Answer& answer, const std::string& path) {
+  const RecordedRecognition& recognized = answer.recognized;
+  const auto& relations = recognized.recognition.relations;
+  std::string html = "<h1>What was done</h1>\n<p class=\"lead\">" +
+                     provers::Escape(answer.recording.description) + "; " +
+                     provers::Escape(NoiseText(answer)) +
+                     ".</p>\n<p>Solid where the moving object is in contact, dotted where it was seen.</p>\n";
+  for (size_t i = 0; i < relations.size(); ++i) {
+    const SeenRelation& relation = relations[i];
+    html += fmt::format("<h2>Scenes {}</h2>\n", SceneRange(relation));
+    const size_t clearest = ClearestScene(recognized, relation);
+    const SceneCandidate& chosen = Chosen(recognized.scenes[clearest]);
+    html += FigureHtml({fmt::format("Scene {}: turned by {:.2f} degrees and moved by {:.2f} {} into contact.",
+                                    recognized.scenes[clearest].name, chosen.turned * kDegrees, chosen.moved,
+                                    ToString(answer.models.unit)),
+                        Picture(answer, recognized.scenes[clearest])},
+                       "relation-" + std::to_string(i));
+    if (i + 1 == relations.size()) break;
+    const algebra::Transition& t = recognized.recognition.transitions[i];
+    html += std::string("<p>Then") + (t.critical ? ", critically" : "") + ": ";
+    for (size_t k = 0; k < t.sub_skills.size(); ++k)
+      html += (k == 0 ? "" : ", ") + provers::Escape(ToString(t.sub_skills[k]));
+    html += std::string(t.sub_skills.empty() ? "no sub-skill" : "") + ".</p>\n<p class=\"small\">" +
+            provers::Escape(t.why) + "</p>\n";
+  }
+  if (!recognized.rejected.empty()) html += "<h2>Transitions rejected</h2>\n<ul>\n";
+  for (size_t i = 0; i < recognized.rejected.size(); ++i)
+    html += "<li>" + provers::Escape(Rejected(recognized, i)) + "</li>\n";
+  if (!recognized.rejected.empty()) html += "</ul>\n";
+  html += "<h2>Every scene</h2>\n";
+  for (size_t k = 0; k < recognized.scenes.size(); ++k) {
+    html += FigureHtml({"Scene " + recognized.scenes[k].name, Picture(answer, recognized.scenes[k])},
+                       "scene-" + std::to_string(k));
+  }
+  WriteFile(path, provers::PageHtml("What was done", html));
+}
+
+}  // namespace
+
+bool IsRecording(const RecognizeOptions& options) {
+  if (options.noisy || !options.noise.empty()) return true;
+  if (options.file == "-") return false;
+  input::InputFile file(options.file);
+  file.stream() >> std::ws;
+  if (file.stream().peek() != '{') return file.stream().peek() == 'N';
+  const std::string text((std::istreambuf_iterator<char>(file.stream())), {});
+  return text.find("\"logs\"") != text.npos;
+}
+
+ExitStatus RunRecognizeRecording(const RecognizeOptions& options) {
+  input::RecordingOptions reading;
+  if (!options.unit.empty()) {
+    reading.unit = cad::ParseLengthUnit(options.unit);
+    if (!reading.unit) throw InputError("--unit: expected mm, cm, m or in, got " + options.unit);
+  }
+  Answer answer;
+  answer.recording = input::ReadRecording(options.file, reading);
+  answer.models = recognition::LoadModels(answer.recording.models);
+  std::vector<recognition::NamedTransform> scenes;
+  for (const input::RecordedScene& scene : answer.recording.scenes)
+    scenes.push_back({scene.name, scene.X_FM});
+  recognition::RecordingSearch search;
+  answer.noise_given = !options.noise.empty();
+  if (answer.noise_given) search.noise = {options.noise[0] / kDegrees, options.noise[1]};
+  answer.recognized = RecognizeRecording(answer.models, scenes, search);
+  for (const std::string& note : answer.recording.notes) Note(note);
+  for (const std::string& note : answer.recognized.recognition.notes) Note(note);
+  if (!options.states.empty()) WriteStates(answer, options.states);
+  if (!options.page.empty()) WritePage(answer, options.page);
+  Output output;
+  output << (options.json ? ToJson(answer) : ToText(answer));
+  output.Flush();
+  return kAnswered;
+}
+
+}  // namespace tact::cli
