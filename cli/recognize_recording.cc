@@ -191,11 +191,12 @@ void WritePage(const Answer& answer, const std::string& path) {
     html += fmt::format("<h2>Scenes {}</h2>\n", SceneRange(relation));
     const size_t clearest = ClearestScene(recognized, relation);
     const SceneCandidate& chosen = Chosen(recognized.scenes[clearest]);
-    html += FigureHtml({fmt::format("Scene {}: turned by {:.2f} degrees and moved by {:.2f} {} into contact.",
-                                    recognized.scenes[clearest].name, chosen.turned * kDegrees, chosen.moved,
-                                    ToString(answer.models.unit)),
-                        Picture(answer, recognized.scenes[clearest])},
-                       "relation-" + std::to_string(i));
+    html += provers::FigureHtml(
+        {fmt::format("Scene {}: turned by {:.2f} degrees and moved by {:.2f} {} into contact.",
+                     recognized.scenes[clearest].name, chosen.turned * kDegrees, chosen.moved,
+                     ToString(answer.models.unit)),
+         Picture(answer, recognized.scenes[clearest])},
+        "relation-" + std::to_string(i));
     if (i + 1 == relations.size()) break;
     const algebra::Transition& t = recognized.recognition.transitions[i];
     html += std::string("<p>Then") + (t.critical ? ", critically" : "") + ": ";
@@ -210,8 +211,8 @@ void WritePage(const Answer& answer, const std::string& path) {
   if (!recognized.rejected.empty()) html += "</ul>\n";
   html += "<h2>Every scene</h2>\n";
   for (size_t k = 0; k < recognized.scenes.size(); ++k) {
-    html += FigureHtml({"Scene " + recognized.scenes[k].name, Picture(answer, recognized.scenes[k])},
-                       "scene-" + std::to_string(k));
+    html += provers::FigureHtml({"Scene " + recognized.scenes[k].name, Picture(answer, recognized.scenes[k])},
+                                "scene-" + std::to_string(k));
   }
   WriteFile(path, provers::PageHtml("What was done", html));
 }
