@@ -94,11 +94,14 @@ std::string SceneRange(const SeenRelation& relation) {
          (relation.last > relation.first ? "-" + std::to_string(relation.last) : "");
 }
 
-std::string Rejected(const RecordedRecognition& recognized, size_t index) {
-  const auto& rejected = recognized.rejected[index];
-  return "scene " + recognized.scenes[rejected.scene - 1].name + " to " +
-         recognized.scenes[rejected.scene].name + ": " + ToString(rejected.validity);
+std::string StepText(const RecordedRecognition& recognized, const recognition::RejectedTransition& step) {
+  return "scene " + recognized.scenes[step.scene - 1].name + " to " + recognized.scenes[step.scene].name +
+         ": " + ToString(step.validity);
 }
+
+constexpr const char* kGaps = "between these scenes more happened than they show";
+constexpr const char* kRejected =
+    "steps between the scenes' own most plausible relations that no motion makes";
 
 std::string ToText(const Answer& answer) {
   const RecordedRecognition& recognized = answer.recognized;
@@ -113,9 +116,12 @@ std::string ToText(const Answer& answer) {
                         recognized.recognition.relations[relation[k]].name, Chosen(scene).turned * kDegrees,
                         Chosen(scene).moved, ToString(answer.models.unit), scene.candidates.size());
   }
-  if (!recognized.rejected.empty())
-    text += "\ntransitions between the scenes' own most plausible relations that are rejected\n";
-  for (size_t i = 0; i < recognized.rejected.size(); ++i) text += "  " + Rejected(recognized, i) + "\n";
+  const auto list = [&](const char* title, const std::vector<recognition::RejectedTransition>& steps) {
+    if (!steps.empty()) text += std::string("\n") + title + "\n";
+    for (const auto& step : steps) text += "  " + StepText(recognized, step) + "\n";
+  };
+  list(kGaps, recognized.gaps);
+  list(kRejected, recognized.rejected);
   return text;
 }
 
@@ -134,12 +140,15 @@ std::string ToJson(const Answer& answer) {
                     k == 0 ? "" : ",", JsonString(scene.name), relation[k], PoseToJson(Chosen(scene).X_FM),
                     Chosen(scene).turned, Chosen(scene).moved, scene.candidates.size());
   }
-  text += R"(],"rejected":[)";
-  for (size_t i = 0; i < recognized.rejected.size(); ++i) {
-    const auto& rejected = recognized.rejected[i];
-    text += fmt::format(R"({}{{"scene":{},"why":{}}})", i == 0 ? "" : ",", rejected.scene,
-                        JsonString(ToString(rejected.validity)));
-  }
+  const auto list = [&](const char* name, const std::vector<recognition::RejectedTransition>& steps) {
+    text += std::string("],\"") + name + "\":[";
+    for (size_t i = 0; i < steps.size(); ++i) {
+      text += fmt::format(R"({}{{"scene":{},"why":{}}})", i == 0 ? "" : ",", steps[i].scene,
+                          JsonString(ToString(steps[i].validity)));
+    }
+  };
+  list("gaps", recognized.gaps);
+  list("rejected", recognized.rejected);
   return text + "]}\n";
 }
 
@@ -205,10 +214,15 @@ void WritePage(const Answer& answer, const std::string& path) {
     html += std::string(t.sub_skills.empty() ? "no sub-skill" : "") + ".</p>\n<p class=\"small\">" +
             provers::Escape(t.why) + "</p>\n";
   }
-  if (!recognized.rejected.empty()) html += "<h2>Transitions rejected</h2>\n<ul>\n";
-  for (size_t i = 0; i < recognized.rejected.size(); ++i)
-    html += "<li>" + provers::Escape(Rejected(recognized, i)) + "</li>\n";
-  if (!recognized.rejected.empty()) html += "</ul>\n";
+  const auto list = [&](std::string title, const std::vector<recognition::RejectedTransition>& steps) {
+    if (steps.empty()) return;
+    html += "<p>" + title + ":</p>\n<ul>\n";
+    for (const auto& step : steps) html += "<li>" + provers::Escape(StepText(recognized, step)) + "</li>\n";
+    html += "</ul>\n";
+  };
+  list("Between these scenes more happened than they show", recognized.gaps);
+  list("Steps between the scenes&#39; own most plausible relations that no motion makes",
+       recognized.rejected);
   html += "<h2>Every scene</h2>\n";
   for (size_t k = 0; k < recognized.scenes.size(); ++k) {
     html += provers::FigureHtml({"Scene " + recognized.scenes[k].name, Picture(answer, recognized.scenes[k])},

@@ -76,8 +76,11 @@ class Recording {
       scene.chosen = sequence.chosen[k];
       states.push_back({scene.name, {scene.candidates[scene.chosen].X_FM, true}, "scene " + scene.name});
       if (k == 0) continue;
-      const auto validity = Validity(answer.scenes[k - 1].candidates.front(), scene.candidates.front());
-      if (!validity.valid()) answer.rejected.push_back({k, validity});
+      const RecognizedScene& before = answer.scenes[k - 1];
+      const auto best = Validity(before.candidates.front(), scene.candidates.front());
+      if (!best.valid()) answer.rejected.push_back({k, best});
+      const auto chosen = Validity(before.candidates[before.chosen], scene.candidates[scene.chosen]);
+      if (!chosen.valid()) answer.gaps.push_back({k, chosen});
     }
     ModelPair exactly = models_;
     exactly.tolerance = 0;

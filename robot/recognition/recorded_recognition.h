@@ -55,7 +55,7 @@ struct RecognizedScene {
   size_t left_out = 0;  // candidates without an exact pose
 };
 
-/// A transition that the scenes' own best candidates would make, and why it is none.
+/// A step between scenes that is no valid transition, and why.
 struct RejectedTransition {
   size_t scene = 0;  // of the second, from 0
   TransitionValidity validity;
@@ -64,8 +64,9 @@ struct RejectedTransition {
 struct RecordedRecognition {
   PoseNoise noise;
   std::vector<RecognizedScene> scenes;
-  Recognition recognition;  // of the chosen sequence
-  std::vector<RejectedTransition> rejected;
+  Recognition recognition;                   // of the chosen sequence
+  std::vector<RejectedTransition> rejected;  // between the scenes' own best candidates
+  std::vector<RejectedTransition> gaps;      // in the chosen sequence: what was passed there no scene shows
 };
 
 /// PreconditionError: no scenes. InputError: a scene whose pose no exact one near it explains (solids that overlap deeply).

@@ -42,8 +42,9 @@ bool Includes(const Primitives& all, const Primitives& some, const Polyhedron& m
 }  // namespace
 
 bool SameElements(const Primitives& a, const Primitives& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const auto& p, const auto& q) { return p.moving == q.moving && p.fixed == q.fixed; });
+  return std::is_permutation(a.begin(), a.end(), b.begin(), b.end(), [](const auto& p, const auto& q) {
+    return p.moving == q.moving && p.fixed == q.fixed;
+  });
 }
 
 TransitionValidity ValidityOf(const RelationToCheck& from, const RelationToCheck& to,

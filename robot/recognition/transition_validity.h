@@ -19,7 +19,7 @@ namespace tact::recognition {
 
 using Primitives = std::vector<algebra::ContactPrimitive>;
 
-/// Whether both have the same elements in contact.
+/// Whether both have the same elements in contact, in any order.
 bool SameElements(const Primitives& a, const Primitives& b);
 
 struct TransitionValidity {
