@@ -49,6 +49,17 @@ Transform ToDouble(const algebra::Pose& pose) {
   return X;
 }
 
+// Times come in order, in all states or in none.
+void CheckTime(const RecordedScene& before, const RecordedScene& scene) {
+  if (before.time.has_value() != scene.time.has_value()) {
+    throw InputError(scene.where + ": expected " +
+                     (scene.time ? "no \"time\", as the states before have none, got one"
+                                 : "a \"time\", as the states before have one, got none"));
+  }
+  if (scene.time && *scene.time < *before.time)
+    throw InputError(scene.where + ": expected times in order, got one before that of the state before");
+}
+
 RecordedDemonstration FromStates(const std::string& text, const std::string& source) {
   std::istringstream in(text);
   const Demonstration demonstration = ReadDemonstration(in, source);
@@ -65,6 +76,7 @@ RecordedDemonstration FromStates(const std::string& text, const std::string& sou
     scene.X_FM = ToDouble(state.pose.pose);
     if (state.pose.exact) scene.exact = state.pose.pose;
     if (state.time) scene.time = algebra::ToDouble(*state.time);
+    if (!recording.scenes.empty()) CheckTime(recording.scenes.back(), scene);
     recording.scenes.push_back(std::move(scene));
   }
   recording.description =

@@ -22,6 +22,15 @@ class RandomNumbers {
     return radius * std::cos(2 * M_PI * Uniform());
   }
 
+  /// Uniform on the sphere of radius 1.
+  Eigen::Vector3d Direction() {
+    for (;;) {
+      const Eigen::Vector3d v = InBall();
+      constexpr double kTooNear = 1e-6;  // the centre has no direction, and few digits near it
+      if (v.norm() > kTooNear) return v.normalized();
+    }
+  }
+
   /// Uniform in the ball of radius 1.
   Eigen::Vector3d InBall() {
     for (;;) {

@@ -143,7 +143,7 @@ class Search {
                 [](const Node& a, const Node& b) { return Before(a.candidate, b.candidate); });
       for (const Node& node : next)
         if (node.deep.empty()) all.push_back(node.candidate);
-      if (next.size() > kBeam) next.resize(kBeam);
+      if (next.size() > kGrown) next.resize(kGrown);
       front = std::move(next);
     }
     std::sort(all.begin(), all.end(), Before);

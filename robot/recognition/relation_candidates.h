@@ -5,12 +5,12 @@
 ///         in units of the noise that closes its gaps (Gauss-Newton by steps of least norm [thesis, 2.7.3]), and then every
 ///         near contact whose gap is closed there belongs to it. The cost is half the change's square minus `reward` for
 ///         each DOF of configuration that the relation takes away: the logarithm of how much narrower the noise is than
-///         the range in which a pose without contact might as well be. The best kBeam of each size grow on; where another
+///         the range in which a pose without contact might as well be. The best kGrown of each size grow on; where another
 ///         near contact's gap became negative, by one of these, for at the nearest pose that does not penetrate one of
 ///         them is closed.
 /// Frames  the fixed solid's, F; X_FM is the moving solid's pose in it.
 /// Exact   no: `contacts` close at X_FM to kClosed.
-/// Cost    kBeam times the near contacts, six times over: some ten milliseconds.
+/// Cost    kGrown times the near contacts, six times over: some ten milliseconds.
 #pragma once
 
 #include <vector>
@@ -24,7 +24,7 @@ struct PoseNoise {
   double location = 0;  // the solids' unit
 };
 
-inline constexpr size_t kBeam = 12;
+inline constexpr size_t kGrown = 12;
 inline constexpr double kClosed = 1e-6;  // of the solids' unit: doubles leave less, no noise is so small
 
 struct RelationCandidate {

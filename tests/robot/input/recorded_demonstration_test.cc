@@ -54,7 +54,7 @@ TEST(RecordedDemonstration, OurDemonstrationKeepsExactPosesAndTimes) {
   const RecordedDemonstration recording =
       Read(R"({"moving":"a.off","fixed":"b.off","unit":"cm","states":[)"
            R"({"name":"A","time":2.5,"pose":{"t":[1,2,"1/3"],"q":[1,0,0,1]}},)"
-           R"({"pose":{"t":[0,0,0],"axis":[0,0,1],"angle":0.5}}]})");
+           R"({"time":3,"pose":{"t":[0,0,0],"axis":[0,0,1],"angle":0.5}}]})");
   ASSERT_EQ(recording.scenes.size(), 2U);
   EXPECT_EQ(recording.scenes[0].name, "A");
   EXPECT_EQ(recording.scenes[0].time, 2.5);
@@ -110,10 +110,11 @@ RC_GTEST_PROP(RecordedDemonstration, WrittenAsJsonItReadsBackTheSame, ()) {
   recording.models = {"folder/a \"b\".off", "c\\d.off", cad::LengthUnit::kInch, algebra::Rational(1) / 3};
   const auto number = [] { return *rc::gen::inRange(-100000, 100000) / 977.0; };
   const size_t count = *rc::gen::inRange<size_t>(1, 4);
+  const bool timed = *rc::gen::arbitrary<bool>();
   for (size_t i = 0; i < count; ++i) {
     RecordedScene scene;
     scene.name = "scene " + std::to_string(i);
-    if (*rc::gen::arbitrary<bool>()) scene.time = number();
+    if (timed) scene.time = static_cast<double>(i) / 7;
     scene.X_FM = {joint::RotationExp({number(), number(), number()}), {number(), number(), number()}};
     recording.scenes.push_back(scene);
   }
