@@ -11,6 +11,7 @@ using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
 constexpr double kNoTwist = 1e-12;  // of sqrt(w^2 + z^2): below, rounding decides the angle about z
+constexpr double kNoTurn = 1e-15;   // of the sine of half an angle: below, rounding decides the axis
 
 double Wrapped(double angle) {
   constexpr double turn = 2 * std::numbers::pi;
@@ -18,11 +19,13 @@ double Wrapped(double angle) {
   return angle <= -std::numbers::pi ? angle + turn : angle;
 }
 
-Turn FromQuaternion(Quaterniond q, const Vector3d& otherwise) {
+// A turn about an axis across z; its part along z is rounding.
+Turn AcrossFrom(Quaterniond q, const Vector3d& z) {
   if (q.w() < 0) q.coeffs() *= -1;
-  const double norm = q.vec().norm();
-  if (norm == 0) return {otherwise, 0};
-  return {q.vec() / norm, 2 * std::atan2(norm, q.w())};
+  const Vector3d v = q.vec() - z.dot(q.vec()) * z;
+  const double norm = v.norm();
+  if (norm < kNoTurn) return {z.unitOrthogonal(), 0};
+  return {v / norm, 2 * std::atan2(norm, q.w())};
 }
 
 // From one vector to another about an axis.
@@ -34,7 +37,6 @@ double AngleAbout(const Vector3d& axis, const Vector3d& from, const Vector3d& to
 
 AboutAndAcross SplitAboutAndAcross(const Matrix3d& D, const Vector3d& z) {
   const Quaterniond d(D);
-  const Vector3d across = z.unitOrthogonal();
   const double along = d.vec().dot(z), length = std::hypot(d.w(), along);
   AboutAndAcross split;
   split.unique = length > kNoTwist;
@@ -44,8 +46,8 @@ AboutAndAcross SplitAboutAndAcross(const Matrix3d& D, const Vector3d& z) {
         Quaterniond(d.w() / length, along * z.x() / length, along * z.y() / length, along * z.z() / length);
     split.about = Wrapped(2 * std::atan2(along, d.w()));
   }
-  split.across_first = FromQuaternion(twist.conjugate() * d, across);
-  split.across_last = FromQuaternion(d * twist.conjugate(), across);
+  split.across_first = AcrossFrom(twist.conjugate() * d, z);
+  split.across_last = AcrossFrom(d * twist.conjugate(), z);
   return split;
 }
 
