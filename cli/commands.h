@@ -66,6 +66,15 @@ struct PartsOptions {
   bool json = false;
 };
 
+struct PlanOptions {
+  std::string file;          // "-" is standard input
+  long long samples = 50;    // a segment
+  bool reverse = false;      // from the last state to the first
+  bool closed_form = false;  // without Ipopt
+  std::string page;          // a file for the report; empty: none
+  bool json = false;
+};
+
 /// Of the commands `tact knot ...`; each uses some.
 struct KnotOptions {
   std::vector<std::string> inputs;       // P-data or curves: files, examples or texts
@@ -115,6 +124,8 @@ ExitStatus RunModes(const FileOptions& options);
 ExitStatus RunContacts(const ContactsOptions& options);
 /// Contact relations, transitions, sub-skills and critical transitions of a demonstration.
 ExitStatus RunRecognize(const RecognizeOptions& options);
+/// Optimal trajectories between a demonstration's neighbouring states, in closed form and by Ipopt; kUndecided if one fails.
+ExitStatus RunPlan(const PlanOptions& options);
 /// Which joint a log of poses shows, where it is, how sure.
 ExitStatus RunJoint(const JointOptions& options);
 /// Two parts of a linkage, divided by scans of it in different states, and the axis about which they turn.

@@ -36,6 +36,15 @@ constexpr const char* kContactsHelp =
     "modes.\n"
     "Example: tact contacts peg.off slot.off --unit mm --pose '{\"t\":[0,0,-5],\"q\":[1,0,0,0]}'";
 
+constexpr const char* kPlanHelp =
+    "DEMO holds two models and two or more exact poses of the moving one, as for tact recognize. Each pair of\n"
+    "neighbouring states is a transition: first the turns about constant axes, then a straight line, while the\n"
+    "contact relation that restricts less is maintained; then the same by Ipopt, side by side. docs/plans.md\n"
+    "explains the cases, the failures and the JSON. Exit status 1: some transition cannot be planned.\n"
+    "Examples: tact plan examples/peg_in_hole/demonstration.json\n"
+    "          tact plan examples/peg_in_hole/turned.json --samples 100 -o plan.html\n"
+    "          tact plan examples/peg_in_hole/turned.json --reverse --closed-form --json";
+
 constexpr const char* kPartsHelp =
     "Each SCAN is a text of points, x y z a line: the surface of one object of two rigid parts, nothing "
     "else, "
@@ -140,6 +149,7 @@ bool IsCommand(const CLI::App& app, const std::string& word) {
 struct Request {
   FileOptions file;
   ContactsOptions contacts;
+  PlanOptions plan;
   PartsOptions parts;
   VerifyOptions verify;
   EnumerateOptions classes;
@@ -174,6 +184,19 @@ void AddContactsCommand(CLI::App& app, Request& request) {
   parser->add_option("--svg", options.svg, "draw the models and their contacts into this file");
   parser->add_flag("--json", options.json, "answer with a contact relation in JSON");
   parser->callback([&request] { request.run = [&request] { return RunContacts(request.contacts); }; });
+}
+
+void AddPlanCommand(CLI::App& app, Request& request) {
+  PlanOptions& options = request.plan;
+  CLI::App* parser = app.add_subcommand("plan", "Optimal trajectories between a demonstration's states");
+  parser->footer(kPlanHelp);
+  parser->add_option("DEMO", options.file, "a file, or - for standard input")->required();
+  parser->add_option("--samples", options.samples, "samples of a turn or a line")->capture_default_str();
+  parser->add_flag("--reverse", options.reverse, "from the last state to the first");
+  parser->add_flag("--closed-form", options.closed_form, "without Ipopt");
+  parser->add_option("-o,--output", options.page, "write a page with pictures into this file");
+  parser->add_flag("--json", options.json, "answer in JSON");
+  parser->callback([&request] { request.run = [&request] { return RunPlan(request.plan); }; });
 }
 
 void AddPartsCommand(CLI::App& app, Request& request) {
@@ -269,6 +292,7 @@ void AddCommands(CLI::App& app, Request& request) {
                  std::string(kRelationHelp) + "Example: tact modes edge_on_face.json --json", RunModes);
   AddContactsCommand(app, request);
   AddRecognizeCommand(app, request.run);
+  AddPlanCommand(app, request);
   AddJointCommand(app, request.run);
   AddPartsCommand(app, request);
   AddVerifyCommand(app, request);

@@ -9,5 +9,6 @@ namespace tact::provers {
 extern const std::string_view kPegOff;
 extern const std::string_view kSlotOff;
 extern const std::string_view kPegDemonstration;
+extern const std::string_view kPegTurned;  // turned.json
 
 }  // namespace tact::provers

@@ -183,7 +183,21 @@ const std::map<std::string, Expected>& ExpectedVerdicts() {
       {"thesis.5.4.2.wrong-ends", {kReproduced, "P-data and moves read backwards fit neither neighbour"}},
       {"thesis.5.4.2.bow", {kReproduced, "one strand laid over the other, two loops pushed through"}},
       {"thesis.5.4.2.bow-by-cross", {kProved, "an end goes where a loop can"}},
-      {"thesis.A.1.rotation-equations", {kHoldsTo, "the combinations span the left null space of N"}}};
+      {"thesis.A.1.rotation-equations", {kHoldsTo, "the combinations span the left null space of N"}},
+      {"thesis.A.2.opposite-ways", {kRefuted, "normals that turn into one another lower a rank"}},
+      {"thesis.A.3.1.least-translation", {kProved, "Pythagoras"}},
+      {"thesis.A.3.2.rank-grows", {kRefuted, "a fourth point of a face restricts nothing new"}},
+      {"thesis.A.4.1.least-turn-case-4", {kRefuted, "a turn about a_1 may take more off than it adds"}},
+      {"thesis.A.4.2.case-2", {kProved, "swing and twist of a quaternion"}},
+      {"thesis.A.4.2.case-3", {kRefuted, "two angles, three dimensions"}},
+      {"thesis.A.4.2.case-3-corrected", {kProved, "w x = y z for products of turns about y and z"}},
+      {"thesis.A.5.peg-insertion", {kReproduced, "the example was built so that each transition is one"}},
+      {"thesis.A.6.1.only-two-axes", {kProved, "2 a b / norm"}},
+      {"thesis.A.6.1.order", {kProved, "the second axis stays, the first is carried"}},
+      {"thesis.A.6.1.least-turn", {kRefuted, "the axis depends on the end that is given"}},
+      {"thesis.A.6.1.rank-one", {kRefuted, "an edge on the floor, its end at a wall"}},
+      {"thesis.A.6.2.surface-normal", {kProved, "rotations keep angles"}},
+      {"thesis.A.6.3.turned", {kReproduced, "A.6.1 and A.6.2 apply"}}};
   return expected;
 }
 
