@@ -7,9 +7,10 @@ std::vector<Claim> AllClaims() {
   std::vector<Claim> all;
   for (auto part :
        {DisplacementClaims(), PropositionClaims(), MotionDofClaims(), DofClassClaims(), DofTransitionClaims(),
-        SubSkillRuleClaims(), TransitionFrequencyClaims(), SingularClaims(), PegInsertionClaims(),
-        JointClaims(), PlierClaims(), KnotProjectionClaims(), KnotMoveClaims(), KnotTyingClaims(),
-        KnotWatchedClaims(), TrajectoryRankClaims(), TrajectoryTurnClaims(), TrajectoryExampleClaims()}) {
+        SubSkillRuleClaims(), TransitionFrequencyClaims(), SingularClaims(), WatchedInsertionClaims(),
+        PegInsertionClaims(), JointClaims(), PlierClaims(), KnotProjectionClaims(), KnotMoveClaims(),
+        KnotTyingClaims(), KnotWatchedClaims(), TrajectoryRankClaims(), TrajectoryTurnClaims(),
+        TrajectoryExampleClaims()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;

@@ -24,6 +24,8 @@ std::vector<Claim> DofTransitionClaims();
 std::vector<Claim> SubSkillRuleClaims();
 /// [thesis, 2.3.1 and 2.6]: how often the kinds of DOF-transitions appear, and what the rules make of them.
 std::vector<Claim> TransitionFrequencyClaims();
+/// [thesis, 2.7.4 and 2.8.1]: validity of transitions, the peg insertion watched with errors.
+std::vector<Claim> WatchedInsertionClaims();
 /// [thesis, 2.8.2]: the peg insertion and its seven transitions.
 std::vector<Claim> PegInsertionClaims();
 /// [thesis, chapter 4]: joints.

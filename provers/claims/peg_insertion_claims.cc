@@ -1,39 +1,14 @@
-#include <sstream>
-
 #include "algebra/error.h"
 #include "provers/claims/census.h"
 #include "provers/claims/claims.h"
-#include "provers/claims/peg_in_hole_example.h"
+#include "provers/claims/peg_insertion.h"
 #include "provers/report/solid_drawing.h"
-#include "robot/cad/mesh.h"
-#include "robot/recognition/recognition.h"
 
 namespace tact::provers {
 namespace {
 
 using algebra::SubSkill;
 using recognition::SeenRelation;
-
-struct Insertion {
-  recognition::ModelPair models;
-  std::vector<input::NamedPose> states;
-  recognition::Recognition seen;
-};
-
-Insertion Watch() {
-  Insertion insertion;
-  std::istringstream text{std::string(kPegDemonstration)};
-  auto demonstration = std::get<input::PoseDemonstration>(
-      input::ReadDemonstration(text, "examples/peg_in_hole/demonstration.json"));
-  const cad::LengthUnit unit = demonstration.models.unit;
-  insertion.models.unit = unit;
-  insertion.models.tolerance = demonstration.models.tolerance;
-  insertion.models.moving = ReadMesh(kPegOff, cad::MeshFormat::kOff, "peg.off", unit, unit).solid;
-  insertion.models.fixed = ReadMesh(kSlotOff, cad::MeshFormat::kOff, "slot.off", unit, unit).solid;
-  insertion.states = std::move(demonstration.states);
-  insertion.seen = Recognize(insertion.models, insertion.states);
-  return insertion;
-}
 
 // What 2.8.2 says of a transition. Changes the text does not mention are not expected.
 struct Words {
@@ -155,7 +130,7 @@ Certificate Evidence(const Insertion& insertion, const std::string& id, size_t t
 std::string IdOfTransition(size_t t) { return "thesis.2.8.2.transition-" + std::to_string(t + 1); }
 
 Outcome TryTransition(size_t t) {
-  const Insertion insertion = Watch();
+  const Insertion insertion = WatchInsertion();
   Outcome outcome;
   const Words& words = TextOfTransitions()[t];
   if (insertion.seen.relations.size() != TextOfTransitions().size() + 1) {
@@ -183,7 +158,7 @@ Outcome TryTransition(size_t t) {
 }
 
 Outcome TryRelations(Effort) {
-  const Insertion insertion = Watch();
+  const Insertion insertion = WatchInsertion();
   Outcome outcome;
   outcome.verdict = insertion.seen.relations.size() == 8 ? Verdict::kReproduced : Verdict::kNotReproduced;
   outcome.bound = "one demonstration, exact poses (examples/peg_in_hole)";

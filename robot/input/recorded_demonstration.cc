@@ -40,15 +40,6 @@ RecordedDemonstration FromList(std::istream& in, const std::string& source, cons
   return recording;
 }
 
-Transform ToDouble(const algebra::Pose& pose) {
-  Transform X;
-  for (int i = 0; i < 3; ++i) {
-    X.p[i] = algebra::ToDouble(pose.translation[i]);
-    for (int j = 0; j < 3; ++j) X.R(i, j) = algebra::ToDouble(pose.rotation.rows[static_cast<size_t>(i)][j]);
-  }
-  return X;
-}
-
 // Times come in order, in all states or in none.
 void CheckTime(const RecordedScene& before, const RecordedScene& scene) {
   if (before.time.has_value() != scene.time.has_value()) {
@@ -73,7 +64,7 @@ RecordedDemonstration FromStates(const std::string& text, const std::string& sou
     RecordedScene scene;
     scene.name = state.name;
     scene.where = state.where;
-    scene.X_FM = ToDouble(state.pose.pose);
+    scene.X_FM = joint::ToTransform(state.pose.pose);
     if (state.pose.exact) scene.exact = state.pose.pose;
     if (state.time) scene.time = algebra::ToDouble(*state.time);
     if (!recording.scenes.empty()) CheckTime(recording.scenes.back(), scene);

@@ -8,6 +8,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "algebra/screw/pose.h"
+
 namespace tact::joint {
 
 struct Transform {
@@ -20,6 +22,16 @@ struct Transform {
 inline Transform operator*(const Transform& a, const Transform& b) { return {a.R * b.R, a.p + a.R * b.p}; }
 inline Eigen::Vector3d operator*(const Transform& a, const Eigen::Vector3d& point) {
   return a.p + a.R * point;
+}
+
+/// An exact pose in doubles.
+inline Transform ToTransform(const algebra::Pose& X) {
+  Transform answer;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) answer.R(i, j) = ToDouble(X.rotation.rows[static_cast<std::size_t>(i)][j]);
+    answer.p[i] = ToDouble(X.translation[i]);
+  }
+  return answer;
 }
 
 /// The rotation about w by |w| radian.

@@ -13,24 +13,13 @@ PlannedState StateOf(const recognition::ModelPair& models, const input::NamedPos
   // Normals are compared with those of the moving solid's faces, so it has to be where it is.
   Relation relation =
       recognition::PointContactsOf(found, algebra::Transform(models.moving, pose), models.fixed);
-  return {
-      named.name,
-      {std::move(relation), ToTransform(pose), Ranks{dof.translation.restricted, dof.rotation.restricted}},
-      std::move(found.relation)};
+  return {named.name,
+          {std::move(relation), joint::ToTransform(pose),
+           Ranks{dof.translation.restricted, dof.rotation.restricted}},
+          std::move(found.relation)};
 }
 
 }  // namespace
-
-joint::Transform ToTransform(const algebra::Pose& X) {
-  joint::Transform answer;
-  for (int i = 0; i < 3; ++i) {
-    const auto row = algebra::ToDouble(X.rotation.rows[static_cast<size_t>(i)]);
-    answer.R.row(i) << row[0], row[1], row[2];
-  }
-  const auto p = algebra::ToDouble(X.translation);
-  answer.p << p[0], p[1], p[2];
-  return answer;
-}
 
 DemonstrationStates StatesOf(const recognition::ModelPair& models,
                              const std::vector<input::NamedPose>& states) {

@@ -43,7 +43,4 @@ struct PlannedTransition {
 /// steps: samples a segment.
 PlannedTransition PlanTransition(const DemonstrationStates& states, size_t from, size_t to, int steps);
 
-/// The pose in doubles.
-joint::Transform ToTransform(const algebra::Pose& X);
-
 }  // namespace tact::planning

@@ -44,15 +44,6 @@ PoseNoise EstimateNoise(const SolidPair& solids, const std::vector<NamedTransfor
   return noise;
 }
 
-joint::Transform ToTransform(const algebra::Pose& X) {
-  Transform answer;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) answer.R(i, j) = ToDouble(X.rotation.rows[static_cast<size_t>(i)][j]);
-    answer.p[i] = ToDouble(X.translation[i]);
-  }
-  return answer;
-}
-
 class Recording {
  public:
   Recording(const ModelPair& models, const RecordingSearch& search)
@@ -138,7 +129,7 @@ class Recording {
     tried.X_FM = *exact.X_FM;
     tried.found = std::move(exact.found);
     tried.dof = ComputeMotionDof(tried.found.relation);
-    const Transform X = ToTransform(tried.X_FM);
+    const Transform X = joint::ToTransform(tried.X_FM);
     const Eigen::Vector3d middle = MiddleOf(solids_.moving_f);
     tried.turned = joint::RotationLog(X.R * scene->seen_FM.R.transpose()).norm();
     tried.moved = (X * middle - scene->seen_FM * middle).norm();

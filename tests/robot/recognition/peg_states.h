@@ -13,15 +13,7 @@
 
 namespace tact::recognition {
 
-inline joint::Transform ToTransform(const algebra::Pose& X) {
-  joint::Transform answer;
-  for (int i = 0; i < 3; ++i) {
-    const auto& row = X.rotation.rows[static_cast<size_t>(i)];
-    answer.R.row(i) << ToDouble(row.x), ToDouble(row.y), ToDouble(row.z);
-  }
-  answer.p << ToDouble(X.translation.x), ToDouble(X.translation.y), ToDouble(X.translation.z);
-  return answer;
-}
+using joint::ToTransform;
 
 /// A small motion in the fixed frame, about its origin.
 inline joint::Transform Moved(const joint::Transform& X, const Eigen::Matrix<double, 6, 1>& twist) {
