@@ -116,6 +116,19 @@ struct RecognizeOptions {
   bool json = false;
 };
 
+struct DemonstrationOptions {
+  std::string file;                      // a recording; "-" is standard input
+  std::string unit;                      // of a pose list's locations; empty: mm
+  std::optional<long long> every;        // keep each so-manieth scene
+  std::optional<long long> scenes;       // so many at even times
+  std::optional<std::uint64_t> noise;    // a seed; none: no noise is added
+  double degrees = 5, millimetres = 10;  // largest errors
+  bool contacts = false;                 // estimate them, scene by scene
+  std::optional<double> threshold;       // in the models' unit
+  std::string output;                    // a JSON file; empty: none
+  bool json = false;
+};
+
 /// Motion DOFs of each contact relation of a file.
 ExitStatus RunDof(const FileOptions& options);
 /// Contact modes of each contact relation of a file.
@@ -126,6 +139,8 @@ ExitStatus RunContacts(const ContactsOptions& options);
 ExitStatus RunRecognize(const RecognizeOptions& options);
 /// Optimal trajectories between a demonstration's neighbouring states, in closed form and by Ipopt; kUndecided if one fails.
 ExitStatus RunPlan(const PlanOptions& options);
+/// What a recording holds; resampled, made noisy, written as JSON.
+ExitStatus RunDemonstration(const DemonstrationOptions& options);
 /// Which joint a log of poses shows, where it is, how sure.
 ExitStatus RunJoint(const JointOptions& options);
 /// Two parts of a linkage, divided by scans of it in different states, and the axis about which they turn.

@@ -9,6 +9,7 @@
 
 #include "algebra/error.h"
 #include "cli/commands.h"
+#include "cli/demonstration_parser.h"
 #include "cli/joint_parser.h"
 #include "cli/knot_parser.h"
 #include "cli/recognize_parser.h"
@@ -28,7 +29,7 @@ constexpr const char* kRelationHelp =
     "Numbers are exact; strings such as \"1/3\" are numbers too.\n";
 
 constexpr const char* kContactsHelp =
-    "The models are OFF, OBJ, STL or PLY files of closed surfaces. The pose is that of MOVING in the frame "
+    "The models are STEP, OFF, OBJ, STL or PLY files of closed surfaces. The pose is that of MOVING in the frame "
     "of FIXED:\n"
     "a JSON text or a file of it, {\"t\":[x,y,z],\"q\":[w,x,y,z]} (exact; q need not be unit), or with "
     "\"axis\" and\n"
@@ -293,6 +294,7 @@ void AddCommands(CLI::App& app, Request& request) {
   AddContactsCommand(app, request);
   AddRecognizeCommand(app, request.run);
   AddPlanCommand(app, request);
+  AddDemonstrationCommand(app, request.run);
   AddJointCommand(app, request.run);
   AddPartsCommand(app, request);
   AddVerifyCommand(app, request);

@@ -5,6 +5,8 @@
 #include <atomic>
 #include <thread>
 
+#include "robot/perception/vision_noise.h"
+
 namespace tact::provers {
 namespace {
 
@@ -77,10 +79,8 @@ Trial DrawTrial(const TrialSetup& setup, std::uint64_t seed) {
   }
   for (const joint::Coordinates& q : DrawCoordinates(setup, random)) {
     const Transform X_BA = PoseAt(trial.truth, q);
-    const Vector3d w = kMostTurn * random.Uniform() * random.Direction();
-    const Vector3d d = kMostShift * random.Uniform() * random.Direction();
     trial.exact.push_back(X_BA);
-    trial.noisy.push_back({joint::RotationExp(w) * X_BA.R, X_BA.p + d});
+    trial.noisy.push_back(perception::AddVisionNoise(X_BA, {kMostTurn, kMostShift}, random));
   }
   return trial;
 }

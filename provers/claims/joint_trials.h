@@ -1,8 +1,8 @@
 /// @file
 /// The simulation experiments of [thesis, 4.5.2 and 4.6.3]: joints, poses and noise drawn from a seed.
 /// Model   The joint's frames lie at random in both links, their orientations uniform, their origins at one distance
-///         from each link's. A pose is the joint's at its coordinate, then, in B, R <- exp(w) R and p <- p + d [eq.
-///         (4.28), (4.29)]: |w| uniform in [0, 5 degrees], |d| uniform in [0, 10 mm], both in uniform directions.
+///         from each link's. A pose is the joint's at its coordinate, then, in B, with vision noise of up to 5 degrees and
+///         10 mm (robot/perception/vision_noise.h).
 /// Units   metre, radian.
 /// Exact   a trial follows from its seed alone, whatever thread draws it.
 #pragma once

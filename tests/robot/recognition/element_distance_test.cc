@@ -36,13 +36,16 @@ TEST(ElementDistance, OverlapIsANegativeGap) {
   for (const NearPair& pair : near) EXPECT_NEAR(pair.gap, -0.25, 1e-12);
 }
 
-// Half beyond the rim: two corners over the plate, and two of the plate's under the cube's lower face, do not count; nor do
-// the cube's outer corners, 1 away from the rim.
-TEST(ElementDistance, BeyondTheRimTheRimCounts) {
+// Half beyond the rim, 0.2 above it: by hand, two corners over the plate and two crossings of the rim with the cube's lower
+// edges; the cube's outer corners are 1.1 away from the rim.
+TEST(ElementDistance, BeyondTheRimTheCrossingsCount) {
   const ProximitySolid cube(Box(1, 1, 1)), plate(Box(4, 4, 1));
   const auto near = NearPairs(cube, plate, {Eigen::Matrix3d::Identity(), {4.1, 0, 2.2}}, 0.5, kTilt);
-  ASSERT_EQ(near.size(), 2U);
-  for (const NearPair& pair : near) EXPECT_NEAR(cube.solid().vertices[pair.contact.moving].x(), -1, 1e-12);
+  ASSERT_EQ(near.size(), 4U);
+  for (size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(near[i].contact.kind, i < 2 ? PointContactKind::kVertexFace : PointContactKind::kEdgeEdge);
+    EXPECT_NEAR(near[i].gap, 0.2, 1e-12);
+  }
   const auto over = NearPairs(cube, plate, {Eigen::Matrix3d::Identity(), {5.3, 0, 1.1}}, 0.5, kTilt);
   // Beside the plate: its side faces the cube's, 0.3 away.
   for (const NearPair& pair : over) EXPECT_NEAR(pair.gap, 0.3, 1e-12);
