@@ -446,6 +446,7 @@ IpoptPlan PlanByIpopt(const SolidPair& solids, const ContactState& given_start, 
   for (int k = 0; k < knots; ++k)
     plan.knots.push_back(ToTransform(answer.data() + kNumbers * k, solids.size));
   Measure(start, end, solids, plan);
+  if (plan.solved && plan.overlap > 0) plan.status += ", but the solids overlap on the way";
   if (closed.inverse) std::reverse(plan.knots.begin(), plan.knots.end());
   if (closed.failure.empty()) plan.apart = DistanceBetween(plan.knots, closed.samples, solids.size);
   return plan;

@@ -9,7 +9,8 @@
 ///         T_e (A.10). Both are linear in the knots.
 /// Method  Exact first and second derivatives (knot_jet.h); Ipopt with MUMPS.
 /// Exact   no. What comes out is a local optimum; feasibility and stationarity are reported, overlap by exact geometry.
-/// Departs Orientations that are optimal in the first solve are not exchanged for others as good in the second.
+/// Departs Only contacts near the guess are watched: a solved path may overlap, and its status says so. Orientations that are optimal in
+///         the first solve are not exchanged for others as good in the second.
 #pragma once
 
 #include <string>
