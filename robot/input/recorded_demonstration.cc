@@ -1,5 +1,6 @@
 #include "robot/input/recorded_demonstration.h"
 
+#include <charconv>
 #include <cstdio>
 #include <sstream>
 
@@ -157,7 +158,10 @@ std::string Number(const algebra::Rational& value) {
   const std::string text = value.ToDecimal();
   return text.find('/') == std::string::npos ? text : "\"" + text + "\"";
 }
-std::string Number(double value) { return Number(algebra::Rational::FromShortestDecimal(value)); }
+std::string Number(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
 
 std::string Vector(const algebra::Vector3& v) {
   return "[" + Number(v[0]) + "," + Number(v[1]) + "," + Number(v[2]) + "]";

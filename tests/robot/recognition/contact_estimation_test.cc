@@ -93,30 +93,6 @@ TEST(ContactEstimation, NoiseIsTheLargerOfScatterAndOverlap) {
   EXPECT_NE(MakeRule(recording, cube, plate).why.find("tells no noise"), std::string::npos);
 }
 
-// At every state of the example, whose poses are exact, the best guess holds what touches there, exactly found.
-TEST(ContactEstimation, ExactPosesGiveTheirContacts) {
-  const RecordedDemonstration recording =
-      input::ReadRecording(std::string(TACT_SOURCE_DIR) + "/examples/peg_in_hole/demonstration.json");
-  const ModelPair models = LoadModels(recording.models);
-  const ProximitySolid moving(models.moving), fixed(models.fixed);
-  EstimationOptions options;
-  options.noise = 1e-3;
-  const EstimationRule rule = MakeRule(recording, moving, fixed, options);
-  for (const input::RecordedScene& scene : recording.scenes) {
-    const auto found = ContactsInPose(models, *scene.exact, scene.where);
-    const std::vector<PointContact> wanted = PointContactsOf(found, models.moving, models.fixed);
-    const SceneEstimate estimate = EstimateContacts(moving, fixed, scene.X_FM, rule);
-    const ContactCandidate& best = estimate.candidates.front();
-    EXPECT_LT(best.displacement, 1e-9) << scene.name;
-    for (const PointContact& contact : wanted) {
-      if (contact.kind == PointContactKind::kEdgeEdge) continue;  // at an end its vertex says it
-      EXPECT_TRUE(std::binary_search(best.contacts.begin(), best.contacts.end(), contact))
-          << scene.name << ": " << ToString(contact);
-    }
-    EXPECT_EQ(best.contacts.empty(), wanted.empty()) << scene.name;
-  }
-}
-
 // What a person sees [its README: no clearance]: free at first, then a corner, at last seated.
 TEST(ContactEstimation, ThePublishedRecordingBeginsFreeAndEndsSeated) {
   const std::string path = std::string(TACT_SOURCE_DIR) + "/../shared/data/peg_in_hole/peg_in_hole.pose.list";
