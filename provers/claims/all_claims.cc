@@ -6,7 +6,7 @@ std::vector<Claim> AllClaims() {
   std::vector<Claim> all;
   for (auto part : {DisplacementClaims(), PropositionClaims(), MotionDofClaims(), DofClassClaims(),
                     DofTransitionClaims(), SubSkillRuleClaims(), TransitionFrequencyClaims(),
-                    SingularClaims(), PegInsertionClaims(), JointClaims(), PlierClaims(),
+                    SingularClaims(), PegInsertionClaims(), VisionCorrectionClaims(), JointClaims(), PlierClaims(),
                     KnotProjectionClaims(), KnotMoveClaims(), KnotTyingClaims(), KnotWatchedClaims()}) {
     all.insert(all.end(), part.begin(), part.end());
   }

@@ -24,6 +24,8 @@ std::vector<Claim> DofTransitionClaims();
 std::vector<Claim> SubSkillRuleClaims();
 /// [thesis, 2.3.1 and 2.6]: how often the kinds of DOF-transitions appear, and what the rules make of them.
 std::vector<Claim> TransitionFrequencyClaims();
+/// [thesis, 2.7.3 and 2.8.3]: vision error correction, Table 2.1.
+std::vector<Claim> VisionCorrectionClaims();
 /// [thesis, 2.8.2]: the peg insertion and its seven transitions.
 std::vector<Claim> PegInsertionClaims();
 /// [thesis, chapter 4]: joints.
