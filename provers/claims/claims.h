@@ -26,6 +26,8 @@ std::vector<Claim> SubSkillRuleClaims();
 std::vector<Claim> TransitionFrequencyClaims();
 /// [thesis, 2.7.4 and 2.8.1]: validity of transitions, the peg insertion watched with errors.
 std::vector<Claim> WatchedInsertionClaims();
+/// [thesis, 2.7.3 and 2.8.3]: vision error correction, Table 2.1.
+std::vector<Claim> VisionCorrectionClaims();
 /// [thesis, 2.8.2]: the peg insertion and its seven transitions.
 std::vector<Claim> PegInsertionClaims();
 /// [thesis, chapter 4]: joints.
