@@ -2,14 +2,15 @@
 
 #include <Eigen/Geometry>
 #define HAVE_CSTDDEF  // Ipopt's headers ask for it
+#include <cmath>
 #include <coin/IpIpoptApplication.hpp>
 #include <coin/IpIpoptCalculatedQuantities.hpp>
 #include <coin/IpIpoptData.hpp>
-#include <IpSolveStatistics.hpp>
+#include <coin/IpSolveStatistics.hpp>
 #include <coin/IpTNLP.hpp>
-#include <cmath>
 
 #include "algebra/error.h"
+#include "robot/planning/ipopt_lock.h"
 
 namespace tact::correction {
 namespace {
@@ -264,6 +265,7 @@ IpoptAnswer NearestPoseByIpopt(const Models& models, const Relation& relation, c
   if (!relation.realisation)
     throw PreconditionError("nearest pose by Ipopt: the relation needs a realisation");
   const Ipopt::SmartPtr<Nlp> nlp = new Nlp(models, relation, X0, start, metric);
+  const auto lock = LockIpopt();
   const Ipopt::SmartPtr<Ipopt::IpoptApplication> application = IpoptApplicationFactory();
   application->Options()->SetIntegerValue("print_level", 0);
   application->Options()->SetStringValue("sb", "yes");

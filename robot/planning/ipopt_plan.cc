@@ -8,6 +8,7 @@
 #include <coin/IpTNLP.hpp>
 
 #include "robot/planning/angle_and_location.h"
+#include "robot/planning/ipopt_lock.h"
 #include "robot/planning/knot_jet.h"
 
 namespace tact::planning {
@@ -341,6 +342,7 @@ const char* Words(Ipopt::ApplicationReturnStatus status) {
 
 bool Solve(const Programme& programme, Stage stage, IpoptPlan& plan, std::vector<double>& numbers) {
   Ipopt::SmartPtr<KnotProgramme> nlp = new KnotProgramme(programme, stage);
+  const auto lock = LockIpopt();
   Ipopt::SmartPtr<Ipopt::IpoptApplication> ipopt = IpoptApplicationFactory();
   const auto options = ipopt->Options();
   options->SetIntegerValue("print_level", 0);

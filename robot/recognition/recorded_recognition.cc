@@ -133,11 +133,9 @@ class Recording {
     const Eigen::Vector3d middle = MiddleOf(solids_.moving_f);
     tried.turned = joint::RotationLog(X.R * scene->seen_FM.R.transpose()).norm();
     tried.moved = (X * middle - scene->seen_FM * middle).norm();
-    const int taken = tried.dof.all.restricted,
-              firm = ComputeMotionDof(tried.found.relation.WithoutSingular()).all.restricted;
     tried.cost =
         (std::pow(tried.turned / noise.rotation, 2) + std::pow(tried.moved / noise.location, 2)) / 2 -
-        search_.reward * firm - search_.singular_reward * (taken - firm);
+        search_.reward * tried.dof.all.restricted + (tried.dof.singular ? search_.coincidence : 0);
     scene->candidates.push_back(std::move(tried));
   }
 

@@ -2,8 +2,8 @@
 /// From a recording with a tracker's errors to contact relations, transitions and sub-skills [thesis, 2.7, 2.8].
 /// Model   Of every scene the candidates of relation_candidates.h, as exact poses (exact_pose.h); those that penetrate or have
 ///         no exact pose nearby are left out. A candidate costs half its change's square, in units of the noise, minus
-///         `reward` for each DOF that its non-singular contacts take away and `singular_reward` for each that only the
-///         singular ones do: a corner on an edge is a coincidence that nothing holds in place. A step between scenes
+///         `reward` for each DOF that it restricts, plus `coincidence` if it is singular: a corner on an edge is passed,
+///         nothing holds it there. A step between scenes
 ///         costs nothing if the same elements touch, `change` if not, and `invalid` more if transition_validity.h finds
 ///         no valid transition (scenes are samples: what lies between may not have been seen). The most plausible
 ///         sequence (relation_sequence.h) is recognized as exact states are.
@@ -30,8 +30,8 @@ inline constexpr double kFirstRotation = 0.035;  // radian, 2 degrees: what ster
 
 struct RecordingSearch {
   std::optional<PoseNoise> noise;
-  double reward = 3, singular_reward = 1, change = 2, invalid = 6;  // nat
-  size_t candidates = 8;                                            // a scene, tried exactly
+  double reward = 3, coincidence = 4, change = 2, invalid = 6;  // nat
+  size_t candidates = 8;                                        // a scene, tried exactly
 };
 
 struct NamedTransform {
