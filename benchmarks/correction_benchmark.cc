@@ -10,7 +10,7 @@
 #include <cstdlib>
 
 #include "robot/correction/nearest_pose_ipopt.h"
-#include "tests/robot/correction/table_noise.h"
+#include "robot/correction/table_noise.h"
 
 namespace tact::correction {
 namespace {

@@ -7,9 +7,11 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <string>
 
+#include "robot/planning/demonstration_plan.h"
 #include "robot/planning/ipopt_plan.h"
-#include "tests/robot/planning/peg_states.h"
 
 namespace tact::planning {
 namespace {
@@ -28,6 +30,12 @@ double LeastSeconds(int runs, const Run& run) {
     least = std::min(least, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
   }
   return least;
+}
+
+DemonstrationStates StatesIn(const std::string& file) {
+  const std::string path = std::string(TACT_SOURCE_DIR) + "/examples/peg_in_hole/" + file;
+  std::ifstream in(path);
+  return StatesOf(input::ReadDemonstration(in, path), path);
 }
 
 bool Time(const DemonstrationStates& states, size_t i) {
@@ -54,7 +62,7 @@ int main() {
   bool good = true;
   for (const char* file : {"demonstration.json", "turned.json"}) {
     std::printf("%s: 100 samples, at most 50 us; Ipopt at least 1000 times as long\n", file);
-    const auto states = tact::planning::PegStates(file);
+    const auto states = tact::planning::StatesIn(file);
     for (size_t i = 0; i + 1 < states.states.size(); ++i) good &= tact::planning::Time(states, i);
   }
   return good ? 0 : 1;

@@ -247,7 +247,7 @@ Outcome TryMoreRestricted(Effort effort) {
 }
 
 Outcome TryNearest(Effort effort) {
-  constexpr std::array<size_t, 3> kCompared = {5, 100, 1000};
+  constexpr std::array<size_t, 3> kCompared = {2, 10, 200};
   const size_t trials = kCompared[static_cast<size_t>(effort)];
   const auto& cells = CorrectionCellsFor(effort);
   Outcome outcome;

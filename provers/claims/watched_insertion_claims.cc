@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "enumerators/shown_transitions.h"
 #include "provers/claims/claims.h"
 #include "provers/claims/peg_insertion.h"
+#include "provers/path_certificate.h"
 #include "robot/perception/random_numbers.h"
 #include "robot/recognition/recorded_recognition.h"
 
@@ -86,7 +88,9 @@ Outcome TryInverse(Effort) {
       "the "
       "two walls stay in contact under every legal motion, until the slot's mouth.";
   outcome.numbers = {{"constraining_in_translation", seated.dof.translation.constraining}};
-  outcome.no_certificate = "The motion DOFs of the example's states have theirs under thesis.2.8.2.";
+  const std::string id = "thesis.2.7.4.inverse";
+  outcome.certificates = {MotionDofCertificate(id + ".seated", id, seated.relation,
+                                               {{{{"translation.constraining", 1}}, "positive"}})};
   return outcome;
 }
 
@@ -109,7 +113,14 @@ Outcome TryPracticalFilter(Effort) {
       "as a "
       "prior: none of the peg insertion's seven transitions is rejected, so tact weighs it as one.";
   outcome.numbers = {{"motions", static_cast<long long>(steps.size())}, {"rejected", rejected}};
-  outcome.no_certificate = "The scenes have theirs, of kind motion-path, under thesis.2.3.1.";
+  const std::string id = "thesis.2.7.4.practical-filter";
+  const auto first =
+      std::find_if(steps.begin(), steps.end(), [](const Step& step) { return !step.validity.practical; });
+  if (first != steps.end()) {
+    const auto place = static_cast<size_t>(first - steps.begin());
+    outcome.certificates = {
+        PathCertificate(id + ".rejected", id, enumerators::DofTransitionScenes().at(place).scene)};
+  }
   if (!table.rows.empty()) outcome.tables = {std::move(table)};
   return outcome;
 }

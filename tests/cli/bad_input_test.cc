@@ -144,7 +144,7 @@ TEST(BadInput, EveryBadMeshIsRefusedWithItsMessage) {
   const std::filesystem::path examples = kRoot / "examples";
   ExpectRefused(
       {"contacts", kPeg, examples, "--unit", "mm", "--pose", kAtRest},
-      examples.string() + ": expected a mesh file named .off, .obj, .stl or .ply, got no extension");
+      examples.string() + ": expected a mesh file named .off, .obj, .stl, .ply, .step or .stp, got no extension");
 }
 
 TEST(BadInput, AUnitIsAskedForAndMustBeKnown) {

@@ -9,6 +9,7 @@
 #include "provers/check/check.h"
 #include "provers/claims/claims.h"
 #include "tests/provers/certificate_oracle.h"
+#include "tests/provers/ledger_once.h"
 
 namespace tact::provers {
 namespace {
@@ -22,7 +23,7 @@ constexpr unsigned kSeed = 20060329;
 std::vector<std::pair<std::string, json>> CertificatesOf(Effort effort) {
   std::vector<std::pair<std::string, json>> all;
   std::set<std::string> lists;
-  for (const LedgerEntry& entry : TryClaims(AllClaims(), effort)) {
+  for (const LedgerEntry& entry : LedgerOnce(effort)) {
     for (const Certificate& certificate : entry.outcome.certificates) {
       json parsed = json::parse(certificate.json);
       const bool again = parsed["kind"] == "dof-classes" && !lists.insert(parsed["classes"].dump()).second;

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/robot/correction/table_noise.h"
+#include "robot/correction/table_noise.h"
 
 namespace tact::correction {
 namespace {

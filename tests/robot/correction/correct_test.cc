@@ -7,7 +7,7 @@
 #include "robot/correction/gauss_newton.h"
 #include "robot/correction/linear_correction.h"
 #include "robot/correction/nearest_pose_ipopt.h"
-#include "tests/robot/correction/table_noise.h"
+#include "robot/correction/table_noise.h"
 
 namespace tact::correction {
 namespace {

@@ -1,5 +1,5 @@
 /// @file
-/// Table relations with noise: what the tests and the benchmark of robot/correction share.
+/// Table relations with noise, drawn from a seed.
 /// Model   the noise of [thesis, 4.5.2]: R <- exp(w) R and p <- p + d, |w| uniform in [0, 5 degrees], |d| in [0, 10 mm].
 /// Units   millimetre, radian.
 #pragma once
