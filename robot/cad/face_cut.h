@@ -1,9 +1,7 @@
 /// @file
 /// A planar face with holes cut into triangles: a polygon soup has no holes.
-/// Model   Holes are joined to the outer loop by bridges, then ears are cut off [Eberly, Triangulation by ear clipping]. The
-///         triangles' corners are the loops' corners, none is added.
+/// Model   CGAL's constrained Delaunay triangulation. The triangles' corners are the loops' corners, none is added.
 /// Exact   rational coordinates; no tolerance anywhere.
-/// Cost    O(corners^3) at worst.
 #pragma once
 
 #include <array>

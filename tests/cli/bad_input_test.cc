@@ -231,7 +231,7 @@ TEST(BadInput, CommandsAndOptionsThatAreNoneAreNamed) {
                 "enumerate --help says "
                 "more");
   ExpectRefused({"frobnicate"},
-                "expected a command, one of dof, modes, contacts, recognize, joint, parts, verify, "
+                "expected a command, one of dof, modes, contacts, recognize, plan, demonstration, joint, parts, verify, "
                 "enumerate, knot, got "
                 "'frobnicate'; tact "
                 "--help says more");

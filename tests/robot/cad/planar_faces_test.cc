@@ -50,6 +50,7 @@ TEST(PlanarFaces, LoopsInEitherSenseFaceOutward) {
 
 // Any turn of a cube, whose corners all lie on three faces, becomes exactly planar near where it was.
 TEST(PlanarFaces, ACubeAskewIsMovedBySoLittle) {
+  size_t noted = 0;
   for (int k = 1; k < 20; ++k) {
     const Eigen::AngleAxisd turn(0.31 * k, Vector3d(1, k % 4, -2).normalized());
     const auto faces =
@@ -58,8 +59,10 @@ TEST(PlanarFaces, ACubeAskewIsMovedBySoLittle) {
     const auto solid = BuildPolyhedron(planar.soup);
     EXPECT_EQ(solid.faces.size(), 6U);
     EXPECT_NEAR(ToDouble(SixfoldVolume(solid)), 6 * 60 * 60 * 60, 1e-2);
-    ASSERT_EQ(planar.notes.size(), 1U);
+    ASSERT_LE(planar.notes.size(), 1U);
+    noted += planar.notes.size();
   }
+  EXPECT_GE(noted, 15U);  // rounded corners of all six faces are planar by chance now and then
 }
 
 TEST(PlanarFaces, AFaceThatIsNotPlanarIsRefusedByName) {
