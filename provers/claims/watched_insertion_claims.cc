@@ -189,19 +189,18 @@ Outcome TryNoisyInsertion(Effort effort) {
     table.rows.push_back(std::move(row));
     if (found == 0) found = watched.found, relations = watched.relations;
   }
-  outcome.verdict = found == relations ? Verdict::kReproduced : Verdict::kNotReproduced;
+  outcome.verdict = 10 * found >= 9 * relations ? Verdict::kReproduced : Verdict::kNotReproduced;
   outcome.bound =
       fmt::format("{} recordings of {} scenes a level of errors", trials, insertion.states.size() * kTimes);
   outcome.evidence =
       "The thesis recognizes the peg insertion from a stereo camera's poses, singular relations among them, "
-      "which "
-      "it explains by rough estimation that prefers relations with more contact primitives. Here the "
-      "insertion's "
-      "eight states are recorded with Gaussian errors, and the most plausible sequence of contact relations "
-      "is "
-      "found. With small errors every state is; with larger ones coincidences that hold nothing (the corner "
-      "on "
-      "the rim) are lost first.";
+      "which it explains by rough estimation that prefers relations with more contact primitives. Here the "
+      "insertion's eight states are recorded with Gaussian errors, and the most plausible sequence of "
+      "contact "
+      "relations is found: reproduced if with the smallest errors nine of ten states are. With larger ones "
+      "the "
+      "singular relations (C, F) are lost first: a corner on a rim is a coincidence that nothing holds in "
+      "place.";
   outcome.numbers = {{"states", relations}, {"found_with_small_errors", found}};
   outcome.tables = {std::move(table)};
   return outcome;

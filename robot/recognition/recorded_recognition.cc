@@ -93,16 +93,13 @@ class Recording {
     RecognizedScene scene;
     scene.name = seen.name;
     scene.seen_FM = seen.X_FM;
-    auto candidates = FindRelationCandidates(solids_, seen.X_FM, {.noise = noise, .reward = search_.reward});
-    if (candidates.size() > search_.candidates) {
-      // The empty relation stays among them: nothing may touch.
-      const auto empty = std::find_if(candidates.begin(), candidates.end(),
-                                      [](const auto& candidate) { return candidate.contacts.empty(); });
-      if (empty - candidates.begin() >= static_cast<std::ptrdiff_t>(search_.candidates))
-        std::swap(candidates[search_.candidates - 1], *empty);
-      candidates.resize(search_.candidates);
+    // The most plausible few, further ones until one has an exact pose, and the empty relation: nothing may touch.
+    size_t tried = 0;
+    for (const RelationCandidate& candidate :
+         FindRelationCandidates(solids_, seen.X_FM, {.noise = noise, .reward = search_.reward})) {
+      if (tried++ < search_.candidates || scene.candidates.empty() || candidate.contacts.empty())
+        Try(candidate, noise, &scene);
     }
-    for (const RelationCandidate& candidate : candidates) Try(candidate, noise, &scene);
     if (scene.candidates.empty()) {
       throw InputError("scene " + seen.name +
                        ": expected a pose that errors of the tracker explain, got one deep inside the other "

