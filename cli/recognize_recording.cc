@@ -39,26 +39,29 @@ struct Answer {
 
 const SceneCandidate& Chosen(const RecognizedScene& scene) { return scene.candidates[scene.chosen]; }
 
-// The relation of each scene, from 0.
+// The relation of each recognized scene, from 0.
 std::vector<size_t> RelationOfScene(const RecordedRecognition& recognized) {
-  std::vector<size_t> relation(recognized.scenes.size());
-  const auto& relations = recognized.recognition.relations;
-  for (size_t i = 0; i < relations.size(); ++i) {
-    for (size_t k = relations[i].first; k <= relations[i].last; ++k) relation[k - 1] = i;
+  std::vector<size_t> relation;
+  for (const RecognizedScene& scene : recognized.scenes) {
+    const size_t before = relation.empty() ? 0 : relation.back();
+    relation.push_back(scene.number > recognized.recognition.relations[before].last ? before + 1 : before);
   }
   return relation;
 }
 
 // Of a relation's scenes the one whose pose had to change least, in units of the noise.
-size_t ClearestScene(const RecordedRecognition& recognized, const SeenRelation& relation) {
-  const auto change = [&](size_t k) {
-    const SceneCandidate& chosen = Chosen(recognized.scenes[k]);
-    return std::hypot(chosen.turned / recognized.noise.rotation, chosen.moved / recognized.noise.location);
-  };
-  size_t clearest = relation.first - 1;
-  for (size_t k = relation.first; k < relation.last; ++k)
-    if (change(k) < change(clearest)) clearest = k;
-  return clearest;
+const RecognizedScene& ClearestScene(const RecordedRecognition& recognized, const SeenRelation& relation) {
+  const RecognizedScene* clearest = nullptr;
+  double least = 0;
+  for (const RecognizedScene& scene : recognized.scenes) {
+    if (scene.number < relation.first || scene.number > relation.last) continue;
+    const double change = std::hypot(Chosen(scene).turned / recognized.noise.rotation,
+                                     Chosen(scene).moved / recognized.noise.location);
+    if (clearest != nullptr && change >= least) continue;
+    clearest = &scene;
+    least = change;
+  }
+  return *clearest;
 }
 
 // A rational quaternion of an exact rotation, by the largest of its four squares.
@@ -143,8 +146,8 @@ std::string ToJson(const Answer& answer) {
   const auto list = [&](const char* name, const std::vector<recognition::RejectedTransition>& steps) {
     text += std::string("],\"") + name + "\":[";
     for (size_t i = 0; i < steps.size(); ++i) {
-      text += fmt::format(R"({}{{"scene":{},"why":{}}})", i == 0 ? "" : ",", steps[i].scene,
-                          JsonString(ToString(steps[i].validity)));
+      text += fmt::format(R"({}{{"scene":{},"why":{}}})", i == 0 ? "" : ",",
+                          recognized.scenes[steps[i].scene].number, JsonString(ToString(steps[i].validity)));
     }
   };
   list("gaps", recognized.gaps);
@@ -165,7 +168,7 @@ void WriteStates(const Answer& answer, const std::string& path) {
                      R"(","tolerance":0,"states":[)";
   const auto& relations = answer.recognized.recognition.relations;
   for (size_t i = 0; i < relations.size(); ++i) {
-    const RecognizedScene& scene = answer.recognized.scenes[ClearestScene(answer.recognized, relations[i])];
+    const RecognizedScene& scene = ClearestScene(answer.recognized, relations[i]);
     text += std::string(i == 0 ? "" : ",") + "\n  {\"name\":" + JsonString(relations[i].name) +
             ",\"pose\":" + PoseToJson(Chosen(scene).X_FM) + "}";
   }
@@ -198,13 +201,12 @@ void WritePage(const Answer& answer, const std::string& path) {
   for (size_t i = 0; i < relations.size(); ++i) {
     const SeenRelation& relation = relations[i];
     html += fmt::format("<h2>Scenes {}</h2>\n", SceneRange(relation));
-    const size_t clearest = ClearestScene(recognized, relation);
-    const SceneCandidate& chosen = Chosen(recognized.scenes[clearest]);
+    const RecognizedScene& clearest = ClearestScene(recognized, relation);
+    const SceneCandidate& chosen = Chosen(clearest);
     html += provers::FigureHtml(
-        {fmt::format("Scene {}: turned by {:.2f} degrees and moved by {:.2f} {} into contact.",
-                     recognized.scenes[clearest].name, chosen.turned * kDegrees, chosen.moved,
-                     ToString(answer.models.unit)),
-         Picture(answer, recognized.scenes[clearest])},
+        {fmt::format("Scene {}: turned by {:.2f} degrees and moved by {:.2f} {} into contact.", clearest.name,
+                     chosen.turned * kDegrees, chosen.moved, ToString(answer.models.unit)),
+         Picture(answer, clearest)},
         "relation-" + std::to_string(i));
     if (i + 1 == relations.size()) break;
     const algebra::Transition& t = recognized.recognition.transitions[i];
@@ -261,6 +263,8 @@ ExitStatus RunRecognizeRecording(const RecognizeOptions& options) {
   answer.recognized = RecognizeRecording(answer.models, scenes, search);
   for (const std::string& note : answer.recording.notes) Note(note);
   for (const std::string& note : answer.recognized.recognition.notes) Note(note);
+  for (const std::string& scene : answer.recognized.skipped)
+    Note("scene " + scene + " is left out: the solids overlap there deeper than the errors explain");
   if (!options.states.empty()) WriteStates(answer, options.states);
   if (!options.page.empty()) WritePage(answer, options.page);
   Output output;

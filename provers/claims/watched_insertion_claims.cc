@@ -150,17 +150,15 @@ void WatchNoisily(const Insertion& insertion, double degrees, double length, std
   const RecordedRecognition seen = RecognizeRecording(
       insertion.models, scenes, {.noise = recognition::PoseNoise{radian, length}, .candidates = 12});
   int found = 0;
-  for (size_t i = 0; i < insertion.states.size(); ++i) {
-    int right = 0;
-    for (int time = 0; time < kTimes; ++time) {
-      const auto& scene = seen.scenes[i * kTimes + static_cast<size_t>(time)];
-      right += SameElements(scene.candidates[scene.chosen].found.primitives,
-                            insertion.seen.relations[i].primitives)
-                   ? 1
-                   : 0;
-    }
-    (*found_by_state)[i] += right;
-    found += 2 * right > kTimes ? 1 : 0;
+  std::vector<int> right(insertion.states.size());
+  for (const recognition::RecognizedScene& scene : seen.scenes) {
+    const size_t i = (scene.number - 1) / kTimes;
+    if (SameElements(scene.candidates[scene.chosen].found.primitives, insertion.seen.relations[i].primitives))
+      ++right[i];
+  }
+  for (size_t i = 0; i < right.size(); ++i) {
+    (*found_by_state)[i] += right[i];
+    found += 2 * right[i] > kTimes ? 1 : 0;
   }
   watched->relations += static_cast<int>(insertion.states.size());
   watched->found += found;

@@ -52,7 +52,21 @@ class Recording {
   RecordedRecognition Run(const std::vector<NamedTransform>& scenes) {
     RecordedRecognition answer;
     answer.noise = search_.noise ? *search_.noise : EstimateNoise(solids_, scenes, search_.reward);
-    for (const NamedTransform& scene : scenes) answer.scenes.push_back(Scene(scene, answer.noise));
+    for (size_t i = 0; i < scenes.size(); ++i) {
+      RecognizedScene scene = Scene(scenes[i], answer.noise);
+      scene.number = i + 1;
+      if (scene.candidates.empty()) {
+        answer.skipped.push_back(scene.name);
+      } else {
+        answer.scenes.push_back(std::move(scene));
+      }
+    }
+    if (answer.scenes.empty()) {
+      throw InputError(
+          "expected poses that errors of the tracker explain, got one solid deep inside the other in every "
+          "scene; "
+          "check units and frames, or give a larger --noise");
+    }
     std::vector<std::vector<double>> costs;
     for (const RecognizedScene& scene : answer.scenes) {
       costs.emplace_back();
@@ -76,6 +90,10 @@ class Recording {
     ModelPair exactly = models_;
     exactly.tolerance = 0;
     answer.recognition = Recognize(exactly, states);
+    for (SeenRelation& relation : answer.recognition.relations) {
+      relation.first = answer.scenes[relation.first - 1].number;
+      relation.last = answer.scenes[relation.last - 1].number;
+    }
     return answer;
   }
 
@@ -99,11 +117,6 @@ class Recording {
          FindRelationCandidates(solids_, seen.X_FM, {.noise = noise, .reward = search_.reward})) {
       if (tried++ < search_.candidates || scene.candidates.empty() || candidate.contacts.empty())
         Try(candidate, noise, &scene);
-    }
-    if (scene.candidates.empty()) {
-      throw InputError("scene " + seen.name +
-                       ": expected a pose that errors of the tracker explain, got one deep inside the other "
-                       "solid; check units and frames, or give a larger --noise");
     }
     std::stable_sort(scene.candidates.begin(), scene.candidates.end(),
                      [](const auto& a, const auto& b) { return a.cost < b.cost; });

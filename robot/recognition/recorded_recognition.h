@@ -48,6 +48,7 @@ struct SceneCandidate {
 };
 
 struct RecognizedScene {
+  size_t number = 0;  // among the scenes given, from 1
   std::string name;
   joint::Transform seen_FM;
   std::vector<SceneCandidate> candidates;  // best first
@@ -57,19 +58,20 @@ struct RecognizedScene {
 
 /// A step between scenes that is no valid transition, and why.
 struct RejectedTransition {
-  size_t scene = 0;  // of the second, from 0
+  size_t scene = 0;  // the second's place among the recognized ones, from 0
   TransitionValidity validity;
 };
 
 struct RecordedRecognition {
   PoseNoise noise;
   std::vector<RecognizedScene> scenes;
-  Recognition recognition;                   // of the chosen sequence
+  std::vector<std::string> skipped;          // names of scenes whose pose no exact one near it explains
+  Recognition recognition;                   // of the chosen sequence; first and last are numbers of scenes
   std::vector<RejectedTransition> rejected;  // between the scenes' own best candidates
   std::vector<RejectedTransition> gaps;      // in the chosen sequence: what was passed there no scene shows
 };
 
-/// PreconditionError: no scenes. InputError: a scene whose pose no exact one near it explains (solids that overlap deeply).
+/// PreconditionError: no scenes. InputError: every scene is skipped.
 RecordedRecognition RecognizeRecording(const ModelPair& models, const std::vector<NamedTransform>& scenes,
                                        const RecordingSearch& search = {});
 

@@ -65,10 +65,16 @@ TEST_F(PegStates, TheNoiseIsEstimated) {
   EXPECT_LT(seen.noise.location, 0.08);
 }
 
-TEST_F(PegStates, APoseDeepInsideIsRefused) {
+TEST_F(PegStates, APoseDeepInsideIsLeftOut) {
   joint::Transform X = ToTransform(demonstration.states.back().pose.pose);
   X.p.x() += 1;  // into the wall
-  EXPECT_THROW(RecognizeRecording(models, {{"deep", X}}, {.noise = PoseNoise{0.01, 0.01}}), InputError);
+  const RecordingSearch search{.noise = PoseNoise{0.01, 0.01}};
+  EXPECT_THROW(RecognizeRecording(models, {{"deep", X}}, search), InputError);
+  const auto free = ToTransform(demonstration.states.front().pose.pose);
+  const auto seen = RecognizeRecording(models, {{"before", free}, {"deep", X}, {"after", free}}, search);
+  EXPECT_EQ(seen.skipped, (std::vector<std::string>{"deep"}));
+  ASSERT_EQ(seen.recognition.relations.size(), 1U);
+  EXPECT_EQ(seen.recognition.relations[0].last, 3U);
 }
 
 TEST(RecordedRecognition, TheRecordedPegGoesInAndEndsSeated) {
