@@ -29,7 +29,8 @@ constexpr const char* kRelationHelp =
     "Numbers are exact; strings such as \"1/3\" are numbers too.\n";
 
 constexpr const char* kContactsHelp =
-    "The models are STEP, OFF, OBJ, STL or PLY files of closed surfaces. The pose is that of MOVING in the frame "
+    "The models are STEP, OFF, OBJ, STL or PLY files of closed surfaces. The pose is that of MOVING in the "
+    "frame "
     "of FIXED:\n"
     "a JSON text or a file of it, {\"t\":[x,y,z],\"q\":[w,x,y,z]} (exact; q need not be unit), or with "
     "\"axis\" and\n"
@@ -38,9 +39,12 @@ constexpr const char* kContactsHelp =
     "Example: tact contacts peg.off slot.off --unit mm --pose '{\"t\":[0,0,-5],\"q\":[1,0,0,0]}'";
 
 constexpr const char* kPlanHelp =
-    "DEMO holds two models and two or more exact poses of the moving one, as for tact recognize. Each pair of\n"
-    "neighbouring states is a transition: first the turns about constant axes, then a straight line, while the\n"
-    "contact relation that restricts less is maintained; then the same by Ipopt, side by side. docs/plans.md\n"
+    "DEMO holds two models and two or more exact poses of the moving one, as for tact recognize. Each pair "
+    "of\n"
+    "neighbouring states is a transition: first the turns about constant axes, then a straight line, while "
+    "the\n"
+    "contact relation that restricts less is maintained; then the same by Ipopt, side by side. "
+    "docs/plans.md\n"
     "explains the cases, the failures and the JSON. Exit status 1: some transition cannot be planned.\n"
     "Examples: tact plan examples/peg_in_hole/demonstration.json\n"
     "          tact plan examples/peg_in_hole/turned.json --samples 100 -o plan.html\n"

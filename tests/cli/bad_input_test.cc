@@ -142,9 +142,9 @@ TEST(BadInput, EveryBadMeshIsRefusedWithItsMessage) {
   ExpectRefused({"contacts", kPeg, "no/such.off", "--unit", "mm", "--pose", kAtRest},
                 "no/such.off: expected a readable file, got: No such file or directory");
   const std::filesystem::path examples = kRoot / "examples";
-  ExpectRefused(
-      {"contacts", kPeg, examples, "--unit", "mm", "--pose", kAtRest},
-      examples.string() + ": expected a mesh file named .off, .obj, .stl, .ply, .step or .stp, got no extension");
+  ExpectRefused({"contacts", kPeg, examples, "--unit", "mm", "--pose", kAtRest},
+                examples.string() +
+                    ": expected a mesh file named .off, .obj, .stl, .ply, .step or .stp, got no extension");
 }
 
 TEST(BadInput, AUnitIsAskedForAndMustBeKnown) {
@@ -231,7 +231,8 @@ TEST(BadInput, CommandsAndOptionsThatAreNoneAreNamed) {
                 "enumerate --help says "
                 "more");
   ExpectRefused({"frobnicate"},
-                "expected a command, one of dof, modes, contacts, recognize, plan, demonstration, joint, parts, verify, "
+                "expected a command, one of dof, modes, contacts, recognize, plan, demonstration, joint, "
+                "parts, verify, "
                 "enumerate, knot, got "
                 "'frobnicate'; tact "
                 "--help says more");

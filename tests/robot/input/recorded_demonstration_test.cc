@@ -126,7 +126,8 @@ RC_GTEST_PROP(RecordedDemonstration, WrittenAsJsonItReadsBackTheSame, ()) {
     RC_ASSERT(back.scenes[i].name == recording.scenes[i].name);
     RC_ASSERT(back.scenes[i].time == recording.scenes[i].time);
     RC_ASSERT((back.scenes[i].X_FM.R - recording.scenes[i].X_FM.R).norm() < 1e-12);
-    RC_ASSERT((back.scenes[i].X_FM.p - recording.scenes[i].X_FM.p).norm() < 1e-12);  // the last digit of a double
+    RC_ASSERT((back.scenes[i].X_FM.p - recording.scenes[i].X_FM.p).norm() <
+              1e-12);  // the last digit of a double
   }
 }
 
