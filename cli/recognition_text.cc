@@ -41,11 +41,7 @@ std::string ToJsonMembers(const Recognition& recognition) {
   return text + "]";
 }
 
-namespace {
-
-std::string Three(int a, int b, int c) { return fmt::format("{} {} {}", a, b, c); }
-
-std::string Summary(const SeenRelation& r) {
+std::string ContactSummary(const SeenRelation& r) {
   if (r.relation.contacts.empty()) return "nothing touches";
   if (r.primitives.empty()) return std::to_string(r.relation.contacts.size()) + " contacts";
   std::string text;
@@ -59,6 +55,10 @@ std::string Summary(const SeenRelation& r) {
   }
   return text;
 }
+
+namespace {
+
+std::string Three(int a, int b, int c) { return fmt::format("{} {} {}", a, b, c); }
 
 constexpr const char* kRelationRow = "{:<12}{:<10}{:<13}{:<10}{:<12}{}\n";
 
@@ -77,7 +77,7 @@ std::string RelationTable(const Recognition& recognition) {
     text += fmt::format(kRelationRow, r.name, states,
                         Three(t.maintaining, t.detaching, t.constraining) + (r.dof.singular ? " s" : ""),
                         Three(w.maintaining, w.detaching, w.constraining),
-                        fmt::format("{} {}", t.restricted, w.restricted), Summary(r));
+                        fmt::format("{} {}", t.restricted, w.restricted), ContactSummary(r));
   }
   return text;
 }

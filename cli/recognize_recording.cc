@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <numbers>
+#include <set>
 #include <sstream>
 
 #include "algebra/error.h"
@@ -13,6 +16,7 @@
 #include "enumerators/whole_file.h"
 #include "provers/report/html.h"
 #include "provers/report/solid_drawing.h"
+#include "provers/report/state_graph.h"
 #include "provers/report/text.h"
 #include "robot/input/json_stream.h"
 #include "robot/input/recorded_demonstration.h"
@@ -191,6 +195,39 @@ std::string Picture(const Answer& answer, const RecognizedScene& scene) {
       chosen.found.relation);
 }
 
+// The different relations in order; what was seen, and what else would be valid, or is rejected by its DOF-transitions.
+std::string StateGraph(const Answer& answer) {
+  const auto& relations = answer.recognized.recognition.relations;
+  std::vector<const SeenRelation*> states;
+  std::vector<size_t> state_of;  // each relation
+  for (const SeenRelation& relation : relations) {
+    const auto same = std::find_if(states.begin(), states.end(), [&](const SeenRelation* other) {
+      return recognition::SameElements(other->primitives, relation.primitives);
+    });
+    state_of.push_back(static_cast<size_t>(same - states.begin()));
+    if (same == states.end()) states.push_back(&relation);
+  }
+  std::vector<provers::StateEdge> edges;
+  std::set<std::pair<size_t, size_t>> seen;
+  for (size_t i = 0; i + 1 < state_of.size(); ++i) {
+    if (state_of[i] != state_of[i + 1] && seen.emplace(state_of[i], state_of[i + 1]).second)
+      edges.push_back({state_of[i], state_of[i + 1], provers::StateLink::kSeen});
+  }
+  std::vector<std::string> names;
+  for (size_t i = 0; i < states.size(); ++i) {
+    names.push_back("Scenes " + SceneRange(*states[i]) + "\n" + ContactSummary(*states[i]));
+    for (size_t j = i + 1; j < states.size(); ++j) {
+      const auto validity = recognition::ValidityOf({states[i]->primitives, states[i]->dof},
+                                                    {states[j]->primitives, states[j]->dof},
+                                                    answer.models.moving, answer.models.fixed);
+      if (!validity.included || seen.contains({i, j}) || seen.contains({j, i})) continue;
+      edges.push_back(
+          {i, j, validity.practical ? provers::StateLink::kValid : provers::StateLink::kRejected});
+    }
+  }
+  return DrawStateGraph(names, edges);
+}
+
 void WritePage(const Answer& answer, const std::string& path) {
   const RecordedRecognition& recognized = answer.recognized;
   const auto& relations = recognized.recognition.relations;
@@ -198,6 +235,11 @@ void WritePage(const Answer& answer, const std::string& path) {
                      provers::Escape(answer.recording.description) + "; " +
                      provers::Escape(NoiseText(answer)) +
                      ".</p>\n<p>Solid where the moving object is in contact, dotted where it was seen.</p>\n";
+  html += provers::FigureHtml(
+      {"Contact relations: blue what was seen; grey what would be valid, too, one including the "
+       "other; red and crossed out what its DOF-transitions rule out.",
+       StateGraph(answer)},
+      "states");
   for (size_t i = 0; i < relations.size(); ++i) {
     const SeenRelation& relation = relations[i];
     html += fmt::format("<h2>Scenes {}</h2>\n", SceneRange(relation));
