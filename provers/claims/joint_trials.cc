@@ -108,7 +108,7 @@ double LineAngle(const Vector3d& a, const Vector3d& b) {
 }
 
 int TrialsFor(Effort effort) {
-  constexpr std::array trials = {200, 4000, 10000};
+  constexpr std::array trials = {200, 10000, 40000};
   return trials[static_cast<size_t>(effort)];
 }
 
