@@ -35,8 +35,7 @@ void AddRecognizeCommand(CLI::App& app, std::function<ExitStatus()>& run) {
   parser
       ->add_option("--noise", options->noise,
                    "standard deviation of the errors a component, DEGREES LENGTH; estimated if not given")
-      ->expected(2)
-      ->check(CLI::PositiveNumber);
+      ->expected(2);
   parser->add_option("--unit", options->unit,
                      "unit of a pose list's locations: mm, cm, m or in; mm if not given");
   parser->add_option("--states", options->states,

@@ -301,6 +301,10 @@ ExitStatus RunRecognizeRecording(const RecognizeOptions& options) {
     scenes.push_back({scene.name, scene.X_FM});
   recognition::RecordingSearch search;
   answer.noise_given = !options.noise.empty();
+  for (const double noise : options.noise)
+    if (!(noise > 0 && std::isfinite(noise)))
+      throw InputError(
+          fmt::format("--noise: expected two numbers above zero, degrees and a length, got {}", noise));
   if (answer.noise_given) search.noise = {options.noise[0] / kDegrees, options.noise[1]};
   answer.recognized = RecognizeRecording(answer.models, scenes, search);
   for (const std::string& note : answer.recording.notes) Note(note);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/run_program.h"
@@ -50,6 +51,41 @@ TEST(RecognizeCommand, ASlideWithoutSupportIsCalledAnApproach) {
   EXPECT_EQ(answer.status, 0) << answer.err;
   EXPECT_NE(answer.out.find("slide-in-translation"), std::string::npos) << answer.out;
   EXPECT_NE(answer.out.find("this is an approach"), std::string::npos) << answer.out;
+}
+
+// From the command's own noise to states that tact plan reads again.
+TEST(RecognizeCommand, ANoisyRecordingGivesRelationsAPageAndStates) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "tact_noisy_recording";
+  std::filesystem::create_directories(folder);
+  const std::string noisy = folder / "noisy.json", states = folder / "states.json",
+                    page = folder / "scenes.html";
+  ASSERT_EQ(RunTact({"demonstration", kDemonstration, "--noise", "1", "--degrees", "0.5", "--millimetres",
+                     "0.05", "-o", noisy})
+                .status,
+            0);
+  const Answer answer = RunTact({"recognize", noisy, "--noisy", "--json", "--states", states, "-o", page});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  const auto json = nlohmann::json::parse(answer.out);
+  EXPECT_EQ(json["scenes"].size(), 8U);
+  EXPECT_EQ(json["noise"]["estimated"], true);
+  const auto& relations = json["relations"];
+  EXPECT_EQ(relations[0]["contacts"].size(), 0U);
+  EXPECT_EQ(relations.back()["dof"]["rotation"]["restricted"], 3);  // H, on the bottom
+  for (const auto& scene : json["scenes"]) EXPECT_LT(scene["relation"], relations.size());
+  EXPECT_TRUE(std::filesystem::exists(page));
+  const auto again = nlohmann::json::parse(RunTact({"recognize", states, "--json"}).out);
+  ASSERT_EQ(again["relations"].size(), relations.size());
+  for (size_t i = 0; i < relations.size(); ++i)
+    EXPECT_EQ(again["relations"][i]["dof"], relations[i]["dof"]) << i;
+  std::filesystem::remove_all(folder);
+}
+
+TEST(RecognizeCommand, WhatOnlyRecordingsHaveIsRefusedForExactStates) {
+  EXPECT_EQ(
+      RunTact({"recognize", kDemonstration, "--states", "states.json"}).err,
+      "tact: --states: expected a recording, got a demonstration that is exact; --noisy treats it as one\n");
+  EXPECT_EQ(RunTact({"recognize", kDemonstration, "--noise", "0", "1"}).err,
+            "tact: --noise: expected two numbers above zero, degrees and a length, got 0\n");
 }
 
 }  // namespace
