@@ -4,8 +4,8 @@
 ///         Sequential quadratic programming on the manifold of no gaps: steps with the exact Hessian of the Lagrangian,
 ///         each followed by a return to the manifold [Absil, Mahony and Sepulchre 2008; Nocedal and Wright 2006]. Of the
 ///         gaps an independent set is kept, chosen at the realisation. A pair of pieces is kept apart by the plane that
-///         is widest open where the iteration stands, and the planes that tie there are tried in turn. Starts: the pose
-///         seen, the linear correction, the realisation, which is feasible: so there is an answer wherever there is one.
+///         is widest open where the iteration stands; planes that tie are not tried apart. Starts: the pose seen and the
+///         linear correction; the realisation, which is feasible, where both fail: so there is an answer wherever there is one.
 /// Frames  X_FM is the moving solid's pose in the fixed one's frame; the reference point is in M.
 /// Units   the solids' length; radian.
 /// Exact   no; a local optimum from each start, the best of them answered. tests and benchmarks hold it against Ipopt.
