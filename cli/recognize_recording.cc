@@ -22,6 +22,7 @@
 #include "robot/input/recorded_demonstration.h"
 #include "robot/input/rotation_quaternion.h"
 #include "robot/recognition/recorded_recognition.h"
+#include "robot/recognition/recording_summary.h"
 
 namespace tact::cli {
 namespace {
@@ -308,6 +309,10 @@ ExitStatus RunRecognizeRecording(const RecognizeOptions& options) {
   if (answer.noise_given) search.noise = {options.noise[0] / kDegrees, options.noise[1]};
   answer.recognized = RecognizeRecording(answer.models, scenes, search);
   for (const std::string& note : answer.recording.notes) Note(note);
+  const recognition::RecordingSummary summary =
+      Summarise(answer.recording, recognition::ProximitySolid(answer.models.moving),
+                recognition::ProximitySolid(answer.models.fixed));
+  for (const std::string& doubt : summary.doubts) Note(doubt);
   for (const std::string& note : answer.recognized.recognition.notes) Note(note);
   for (const std::string& scene : answer.recognized.skipped)
     Note("scene " + scene + " is left out: the solids overlap there deeper than the errors explain");

@@ -80,6 +80,19 @@ TEST(RecognizeCommand, ANoisyRecordingGivesRelationsAPageAndStates) {
   std::filesystem::remove_all(folder);
 }
 
+// One pose of six is 100 mm off: the answer comes with a word of doubt.
+TEST(RecognizeCommand, AnOutlierIsDoubtedAloud) {
+  const std::string models = std::string(TACT_SOURCE_DIR) + "/examples/peg_in_hole/";
+  std::string states;
+  for (const char* x : {"-6", "-6.1", "94", "-6.3", "-6.4", "-6.5"})
+    states += std::string(states.empty() ? "" : ",") + R"({"pose":{"t":[)" + x + R"(,0,3],"q":[10,0,1,0]}})";
+  const Answer answer =
+      RunTact({"recognize", "-", "--noisy"}, R"({"moving":")" + models + R"(peg.off","fixed":")" + models +
+                                                 R"(slot.off","unit":"mm","states":[)" + states + "]}\n");
+  EXPECT_EQ(answer.status, 0) << answer.err;
+  EXPECT_NE(answer.err.find("scene 3"), std::string::npos) << answer.err;
+}
+
 TEST(RecognizeCommand, WhatOnlyRecordingsHaveIsRefusedForExactStates) {
   EXPECT_EQ(
       RunTact({"recognize", kDemonstration, "--states", "states.json"}).err,
