@@ -314,8 +314,13 @@ ExitStatus RunRecognizeRecording(const RecognizeOptions& options) {
                 recognition::ProximitySolid(answer.models.fixed));
   for (const std::string& doubt : summary.doubts) Note(doubt);
   for (const std::string& note : answer.recognized.recognition.notes) Note(note);
+  const size_t skipped = answer.recognized.skipped.size();
   for (const std::string& scene : answer.recognized.skipped)
     Note("scene " + scene + " is left out: the solids overlap there deeper than the errors explain");
+  if (3 * skipped > answer.recording.scenes.size())
+    Note(fmt::format(
+        "{} of {} scenes are left out: are the models swapped, or the poses' frame or unit wrong?", skipped,
+        answer.recording.scenes.size()));
   if (!options.states.empty()) WriteStates(answer, options.states);
   if (!options.page.empty()) WritePage(answer, options.page);
   Output output;
