@@ -114,12 +114,12 @@ void AgainstIpopt(const std::string& name, bool rotation_first, int trials, std:
 }
 
 TEST(NearestPose, NoFartherThanIpopts) {
-  for (const std::string& name : TableRelationNames()) AgainstIpopt(name, false, 10, 21);
+  for (const std::string& name : TableRelationNames()) AgainstIpopt(name, false, 4, 21);
 }
 TEST(FullNearestPose, NoFartherThanIpopts) {
   for (const std::string& name : TableRelationNames()) {
-    AgainstIpopt(name, false, 300, 22);
-    AgainstIpopt(name, true, 100, 23);
+    AgainstIpopt(name, false, 12, 22);
+    AgainstIpopt(name, true, 6, 23);
   }
 }
 
