@@ -35,9 +35,7 @@ void Draw(const recognition::ModelPair& models, const algebra::Pose& X_FM,
           const algebra::ContactRelation& relation, const std::string& path) {
   const std::vector<provers::DrawnSolid> solids = {{models.fixed, provers::Part::kFixed},
                                                    {Transform(models.moving, X_FM), provers::Part::kMoving}};
-  std::ofstream file(path);
-  file << provers::DrawContactRelation(solids, relation) << "\n";
-  if (!file.flush()) throw InputError("--svg: expected a file that can be written, got " + path);
+  WriteFile(path, provers::DrawContactRelation(solids, relation) + "\n");
 }
 
 }  // namespace

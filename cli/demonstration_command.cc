@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <fstream>
+#include <filesystem>
 #include <numbers>
 
 #include "algebra/error.h"
@@ -18,11 +18,10 @@ namespace tact::cli {
 namespace {
 
 using input::RecordedDemonstration;
-using recognition::ContactCandidate;
 using recognition::EstimationRule;
+using recognition::NearContact;
 using recognition::PointContact;
 using recognition::RecordingSummary;
-using recognition::SceneEstimate;
 
 constexpr double kDegree = 180 / std::numbers::pi;
 
@@ -46,25 +45,13 @@ RecordedDemonstration Read(const DemonstrationOptions& options) {
 
 std::string ToJson(const PointContact& contact) { return JsonString(ToString(contact)); }
 
-std::string ContactsToJson(const std::vector<PointContact>& contacts) {
-  return "[" + Join(contacts, ",", [](const PointContact& c) { return ToJson(c); }) + "]";
-}
-
-std::string ToJson(const SceneEstimate& estimate, const std::string& name) {
+std::string ToJson(const std::vector<NearContact>& near, const std::string& name) {
   return R"({"name":)" + JsonString(name) + R"(,"near":[)" +
-         Join(estimate.near, ",",
-              [](const recognition::NearPair& pair) {
-                return fmt::format(R"({{"contact":{},"distance":{:.9g},"gap":{:.9g}}})", ToJson(pair.contact),
-                                   pair.distance, pair.gap);
+         Join(near, ",",
+              [](const NearContact& n) {
+                return fmt::format(R"({{"contact":{},"gap":{:.9g},"aside":{:.9g}}})", ToJson(n.contact),
+                                   n.gap, n.aside);
               }) +
-         R"(],"candidates":[)" +
-         Join(
-             estimate.candidates, ",",
-             [](const ContactCandidate& c) {
-               return fmt::format(
-                   R"({{"contacts":{},"cost":{:.9g},"displacement":{:.9g},"overlap":{:.9g},"restricted":{}}})",
-                   ContactsToJson(c.contacts), c.cost, c.displacement, c.overlap, c.restricted);
-             }) +
          "]}";
 }
 
@@ -72,7 +59,7 @@ struct Answer {
   RecordedDemonstration recording;
   RecordingSummary summary;
   EstimationRule rule;
-  std::vector<SceneEstimate> estimates;  // if asked for
+  std::vector<std::vector<NearContact>> estimates;  // if asked for, one a scene
 };
 
 std::string ToJsonLine(const Answer& answer) {
@@ -95,17 +82,18 @@ std::string ToJsonLine(const Answer& answer) {
 }
 
 std::string ContactLines(const Answer& answer) {
-  std::string text = "\nscene       near  best guess (taken DOFs, way there)\n";
+  std::string text =
+      "\nscene       contacts within the threshold, and their gaps; tact recognize says which hold "
+      "together\n";
   for (size_t i = 0; i < answer.estimates.size(); ++i) {
-    const SceneEstimate& estimate = answer.estimates[i];
-    const ContactCandidate& best = estimate.candidates.front();
-    text += fmt::format("{:<12}{:>4}  ", answer.recording.scenes[i].name, estimate.near.size());
-    if (best.contacts.empty()) {
-      text += "nothing touches\n";
-      continue;
-    }
-    text += fmt::format("({}, {:.3g}) ", best.restricted, best.displacement) +
-            Join(best.contacts, ", ", [](const PointContact& c) { return ToString(c); }) + "\n";
+    const std::vector<NearContact>& near = answer.estimates[i];
+    text += fmt::format("{:<12}", answer.recording.scenes[i].name) +
+            (near.empty() ? "none"
+                          : Join(near, ", ",
+                                 [](const NearContact& n) {
+                                   return ToString(n.contact) + fmt::format(" {:+.3g}", n.gap);
+                                 })) +
+            "\n";
   }
   return text;
 }
@@ -131,13 +119,6 @@ std::string ToText(const Answer& answer) {
   return text + (answer.estimates.empty() ? "" : ContactLines(answer));
 }
 
-void Write(const std::string& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.flush();
-  if (!file) throw InputError(path + ": expected a file that can be written, got no access");
-}
-
 }  // namespace
 
 ExitStatus RunDemonstration(const DemonstrationOptions& options) {
@@ -149,7 +130,7 @@ ExitStatus RunDemonstration(const DemonstrationOptions& options) {
   answer.rule = MakeRule(answer.recording, moving, fixed, {std::nullopt, options.threshold});
   if (options.contacts) {
     for (const input::RecordedScene& scene : answer.recording.scenes)
-      answer.estimates.push_back(EstimateContacts(moving, fixed, scene.X_FM, answer.rule));
+      answer.estimates.push_back(EstimateContacts(moving, fixed, scene.X_FM, answer.rule.threshold));
   }
   const std::vector<std::string>* const all[] = {&answer.recording.notes, &models.notes,
                                                  &answer.summary.doubts};
@@ -157,8 +138,8 @@ ExitStatus RunDemonstration(const DemonstrationOptions& options) {
     for (const std::string& note : *notes) Note(note);
   }
   if (!options.output.empty()) {
-    Write(options.output,
-          ToDemonstrationJson(answer.recording, std::filesystem::path(options.output).parent_path()));
+    WriteFile(options.output,
+              ToDemonstrationJson(answer.recording, std::filesystem::path(options.output).parent_path()));
   }
   Output output;
   output << (options.json ? ToJsonLine(answer) : ToText(answer));

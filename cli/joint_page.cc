@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "cli/joint_text.h"
-#include "enumerators/whole_file.h"
+#include "cli/output.h"
 #include "provers/report/html.h"
 #include "provers/report/joint_drawing.h"
 #include "provers/report/plot.h"
@@ -178,9 +178,7 @@ std::string Body(const JointAnswer& answer, cad::LengthUnit unit) {
 }  // namespace
 
 void WriteJointPage(const JointAnswer& answer, cad::LengthUnit unit, const std::string& path) {
-  const std::filesystem::path file(path);
-  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  enumerators::WriteWhole(file, provers::PageHtml(JointTitle(answer), Body(answer, unit)), folder);
+  WriteFile(path, provers::PageHtml(JointTitle(answer), Body(answer, unit)));
 }
 
 }  // namespace tact::cli

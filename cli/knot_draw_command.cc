@@ -6,7 +6,6 @@
 #include "cli/knot_inputs.h"
 #include "cli/output.h"
 #include "cli/png_file.h"
-#include "enumerators/whole_file.h"
 #include "provers/knot_certificate.h"
 #include "provers/report/knot_drawing.h"
 
@@ -14,8 +13,6 @@ namespace tact::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path FolderOf(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : "."; }
 
 int ReadOuter(const KnotOptions& options, const knot::PData& p) {
   if (!options.outer) return BestOuterFace(knot::Faces(p), p.segments());
@@ -36,7 +33,7 @@ ExitStatus RunKnotDraw(const KnotOptions& options) {
   if (!options.certificate.empty()) {
     const provers::Certificate certificate =
         provers::KnotDrawingCertificate("", "drawing", p, DrawExactly(p, outer));
-    enumerators::WriteWhole(options.certificate, certificate.json, FolderOf(options.certificate));
+    WriteFile(options.certificate, certificate.json);
   }
   Output output;
   if (options.json) {
@@ -50,7 +47,7 @@ ExitStatus RunKnotDraw(const KnotOptions& options) {
   if (png)
     WritePng(options.output, svg);
   else
-    enumerators::WriteWhole(options.output, svg + "\n", FolderOf(options.output));
+    WriteFile(options.output, svg + "\n");
   return kAnswered;
 }
 

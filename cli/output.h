@@ -1,5 +1,5 @@
 /// @file
-/// Standard output, buffered, and notes beside it.
+/// Standard output, buffered, notes beside it, and files.
 /// Errors  InputError: it cannot be written (a full disk, a closed pipe).
 #pragma once
 
@@ -25,6 +25,10 @@ class Output {
 
   std::string buffer_;
 };
+
+/// Writes a file that an option names: aside and then in its place, so that none is ever half there; into a device or a
+/// pipe as it comes. InputError: it cannot be written.
+void WriteFile(const std::string& path, std::string_view text);
 
 /// A line of standard error that is no refusal: what a person should know about the answer.
 void Note(std::string_view text);

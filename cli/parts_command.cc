@@ -66,12 +66,6 @@ std::string ToTable(const PartsOptions& options, const Division& division, const
   return text;
 }
 
-void Draw(const std::string& path, const std::string& svg) {
-  std::ofstream file(path);
-  file << svg << "\n";
-  if (!file.flush()) throw InputError("--svg: expected a file that can be written, got " + path);
-}
-
 }  // namespace
 
 ExitStatus RunParts(const PartsOptions& options) {
@@ -89,7 +83,8 @@ ExitStatus RunParts(const PartsOptions& options) {
     return kUndecided;
   }
   const PartAxis axis = perception::AxisOf(division, scans[0]);
-  if (!options.svg.empty()) Draw(options.svg, provers::DrawParts(scans[0], division.scans[0].parts, &axis));
+  if (!options.svg.empty())
+    WriteFile(options.svg, provers::DrawParts(scans[0], division.scans[0].parts, &axis) + "\n");
   output << (options.json ? ToJsonLine(options, division, axis) : ToTable(options, division, axis));
   output.Flush();
   return kAnswered;

@@ -1,7 +1,7 @@
 #include <filesystem>
 
+#include "cli/output.h"
 #include "cli/plan_answer.h"
-#include "enumerators/whole_file.h"
 #include "provers/report/html.h"
 #include "provers/report/text.h"
 #include "provers/report/trajectory_drawing.h"
@@ -48,9 +48,7 @@ std::string Body(const PlanAnswer& answer) {
 }  // namespace
 
 void WritePlanPage(const PlanAnswer& answer, const std::string& path) {
-  const std::filesystem::path file(path);
-  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  enumerators::WriteWhole(file, provers::PageHtml("Trajectories", Body(answer)), folder);
+  WriteFile(path, provers::PageHtml("Trajectories", Body(answer)));
 }
 
 }  // namespace tact::cli

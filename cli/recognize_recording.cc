@@ -13,7 +13,6 @@
 #include "cli/json_text.h"
 #include "cli/output.h"
 #include "cli/recognition_text.h"
-#include "enumerators/whole_file.h"
 #include "provers/report/html.h"
 #include "provers/report/solid_drawing.h"
 #include "provers/report/state_graph.h"
@@ -158,11 +157,6 @@ std::string ToJson(const Answer& answer) {
   list("gaps", recognized.gaps);
   list("rejected", recognized.rejected);
   return text + "]}\n";
-}
-
-void WriteFile(const std::string& path, const std::string& text) {
-  const std::filesystem::path file(path);
-  enumerators::WriteWhole(file, text, file.has_parent_path() ? file.parent_path() : ".");
 }
 
 void WriteStates(const Answer& answer, const std::string& path) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robot/recognition/contact_projection.h"
+#include "robot/recognition/pose_metric.h"
 
 namespace tact::recognition {
 namespace {

@@ -13,7 +13,7 @@
 #include <string>
 
 #include "robot/input/recorded_demonstration.h"
-#include "robot/recognition/element_distance.h"
+#include "robot/recognition/proximity_solid.h"
 
 namespace tact::recognition {
 

@@ -14,23 +14,17 @@ using joint::Transform;
 constexpr int kNoiseRounds = 6;
 constexpr double kNoiseRange = 8;  // estimated noise stays within the first guess times and by this
 
-double ReachOf(const SolidF& solid) {
-  double reach = 0;
-  for (const auto& a : solid.vertices) {
-    for (const auto& b : solid.vertices) reach = std::max(reach, (a - b).norm() / 2);
-  }
-  return reach;
-}
-
 // Each scene's best candidate by itself says how large errors are.
-PoseNoise EstimateNoise(const SolidPair& solids, const std::vector<NamedTransform>& scenes, double reward) {
-  const PoseNoise first{kFirstRotation, kFirstRotation * ReachOf(solids.moving_f)};
+PoseNoise EstimateNoise(const ProximitySolid& moving, const ProximitySolid& fixed,
+                        const std::vector<NamedTransform>& scenes, double reward) {
+  const PoseNoise first{kFirstRotation, kFirstRotation * moving.diameter() / 2};
   PoseNoise noise = first;
   for (int round = 0; round < kNoiseRounds; ++round) {
     Eigen::Vector2d squares = Eigen::Vector2d::Ones(),
                     shares = Eigen::Vector2d::Ones();  // the guess counts as one
     for (const NamedTransform& scene : scenes) {
-      const auto candidates = FindRelationCandidates(solids, scene.X_FM, {.noise = noise, .reward = reward});
+      const auto candidates =
+          FindRelationCandidates(moving, fixed, scene.X_FM, {.noise = noise, .reward = reward});
       const RelationCandidate& best = candidates.front();
       squares += Eigen::Vector2d(best.change.head<3>().squaredNorm(), best.change.tail<3>().squaredNorm());
       shares += best.share;
@@ -47,11 +41,11 @@ PoseNoise EstimateNoise(const SolidPair& solids, const std::vector<NamedTransfor
 class Recording {
  public:
   Recording(const ModelPair& models, const RecordingSearch& search)
-      : models_(models), search_(search), solids_(models.moving, models.fixed) {}
+      : models_(models), search_(search), moving_(models.moving), fixed_(models.fixed) {}
 
   RecordedRecognition Run(const std::vector<NamedTransform>& scenes) {
     RecordedRecognition answer;
-    answer.noise = search_.noise ? *search_.noise : EstimateNoise(solids_, scenes, search_.reward);
+    answer.noise = search_.noise ? *search_.noise : EstimateNoise(moving_, fixed_, scenes, search_.reward);
     for (size_t i = 0; i < scenes.size(); ++i) {
       RecognizedScene scene = Scene(scenes[i], answer.noise);
       scene.number = i + 1;
@@ -114,7 +108,7 @@ class Recording {
     // The most plausible few, further ones until one has an exact pose, and the empty relation: nothing may touch.
     size_t tried = 0;
     for (const RelationCandidate& candidate :
-         FindRelationCandidates(solids_, seen.X_FM, {.noise = noise, .reward = search_.reward})) {
+         FindRelationCandidates(moving_, fixed_, seen.X_FM, {.noise = noise, .reward = search_.reward})) {
       if (tried++ < search_.candidates || scene.candidates.empty() || candidate.contacts.empty())
         Try(candidate, noise, &scene);
     }
@@ -140,7 +134,7 @@ class Recording {
     tried.found = std::move(exact.found);
     tried.dof = ComputeMotionDof(tried.found.relation);
     const Transform X = joint::ToTransform(tried.X_FM);
-    const Eigen::Vector3d middle = MiddleOf(solids_.moving_f);
+    const Eigen::Vector3d middle = moving_.middle();
     tried.turned = joint::RotationLog(X.R * scene->seen_FM.R.transpose()).norm();
     tried.moved = (X * middle - scene->seen_FM * middle).norm();
     tried.cost =
@@ -151,7 +145,7 @@ class Recording {
 
   const ModelPair& models_;
   const RecordingSearch& search_;
-  SolidPair solids_;
+  ProximitySolid moving_, fixed_;
 };
 
 }  // namespace

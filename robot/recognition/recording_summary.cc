@@ -5,8 +5,8 @@
 #include <cstdio>
 
 #include "algebra/error.h"
-#include "robot/recognition/contact_projection.h"
 #include "robot/recognition/noise_level.h"
+#include "robot/recognition/pose_metric.h"
 
 namespace tact::recognition {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "robot/input/recorded_demonstration.h"
-#include "robot/recognition/element_distance.h"
+#include "robot/recognition/proximity_solid.h"
 
 namespace tact::recognition {
 

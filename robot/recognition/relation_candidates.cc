@@ -19,10 +19,9 @@ constexpr double kRank = 1e-7;  // of the largest singular value, rows in units 
 // Changes of a pose in units of the noise.
 class NoisyPose {
  public:
-  NoisyPose(const SolidPair& solids, const Transform& seen, const PoseNoise& noise)
-      : solids_(solids), seen_(seen), noise_(noise) {
-    middle_ = MiddleOf(solids.moving_f);
-  }
+  NoisyPose(const ProximitySolid& moving, const ProximitySolid& fixed, const Transform& seen,
+            const PoseNoise& noise)
+      : moving_(moving), fixed_(fixed), seen_(seen), noise_(noise), middle_(moving.middle()) {}
 
   Transform Changed(const Vector6& change) const {
     const Eigen::Matrix3d R = joint::RotationExp(noise_.rotation * change.head<3>()) * seen_.R;
@@ -34,6 +33,9 @@ class NoisyPose {
     change << joint::RotationLog(X.R * seen_.R.transpose()) / noise_.rotation,
         (X * middle_ - seen_ * middle_) / noise_.location;
     return change;
+  }
+  Gap GapAt(const PointContact& contact, const Transform& X) const {
+    return GapOf(contact, moving_.solid(), fixed_.solid(), X);
   }
   // A gap's row at the pose, for changes on top of it.
   GapRow Row(const Gap& gap, const Transform& X) const {
@@ -48,10 +50,9 @@ class NoisyPose {
     const Eigen::Matrix3d R = turn * X.R;
     return {R, middle - R * middle_};
   }
-  const SolidPair& solids() const { return solids_; }
 
  private:
-  const SolidPair& solids_;
+  const ProximitySolid &moving_, &fixed_;
   Transform seen_;
   PoseNoise noise_;
   Eigen::Vector3d middle_;
@@ -67,8 +68,7 @@ struct Closed {
 Eigen::MatrixXd RowsOf(const NoisyPose& pose, const std::vector<PointContact>& contacts, const Transform& X) {
   Eigen::MatrixXd J(static_cast<Eigen::Index>(contacts.size()), 6);
   for (size_t i = 0; i < contacts.size(); ++i)
-    J.row(static_cast<Eigen::Index>(i)) =
-        pose.Row(GapOf(contacts[i], pose.solids().moving_f, pose.solids().fixed_f, X), X);
+    J.row(static_cast<Eigen::Index>(i)) = pose.Row(pose.GapAt(contacts[i], X), X);
   return J;
 }
 
@@ -92,8 +92,7 @@ Closed Close(const NoisyPose& pose, const std::vector<PointContact>& contacts) {
   Eigen::VectorXd gaps(rows);
   for (int step = 0; step < kSteps; ++step) {
     for (Eigen::Index i = 0; i < rows; ++i) {
-      const Gap gap =
-          GapOf(contacts[static_cast<size_t>(i)], pose.solids().moving_f, pose.solids().fixed_f, answer.X);
+      const Gap gap = pose.GapAt(contacts[static_cast<size_t>(i)], answer.X);
       J.row(i) = pose.Row(gap, answer.X);
       gaps[i] = gap.gap;
     }
@@ -115,15 +114,17 @@ Closed Close(const NoisyPose& pose, const std::vector<PointContact>& contacts) {
 
 class Search {
  public:
-  Search(const SolidPair& solids, const Transform& X, const CandidateSearch& search)
-      : solids_(solids),
-        pose_(solids, X, search.noise),
-        search_(search),
-        near_(FindNearContacts(
-            solids, X,
-            {search.deviations * search.noise.location + Reach(solids) * search.noise.rotation,
-             search.deviations * search.noise.rotation})),
-        faces_(FacePairs(solids, X, near_, search.deviations * search.noise.rotation)) {}
+  Search(const ProximitySolid& moving, const ProximitySolid& fixed, const Transform& X,
+         const CandidateSearch& search)
+      : moving_(moving), fixed_(fixed), pose_(moving, fixed, X, search.noise), search_(search) {
+    const double angle = search.deviations * search.noise.rotation;
+    // A vertex moves by half the diameter when the solid turns by a radian.
+    const double distance =
+        search.deviations * search.noise.location + moving.diameter() / 2 * search.noise.rotation;
+    for (const NearContact& near : FindNearContacts(moving, fixed, X, {distance, angle}))
+      near_.push_back(near.contact);
+    faces_ = FacePairs(X.R, angle);
+  }
 
   std::vector<RelationCandidate> Run() {
     std::vector<RelationCandidate> all;
@@ -156,30 +157,21 @@ class Search {
     std::vector<PointContact> deep;  // near contacts that penetrate
   };
 
-  // How far a vertex moves when the solid turns by a radian.
-  static double Reach(const SolidPair& solids) {
-    double reach = 0;
-    for (const auto& a : solids.moving_f.vertices)
-      for (const auto& b : solids.moving_f.vertices) reach = std::max(reach, (a - b).norm() / 2);
-    return reach;
-  }
-  static std::vector<std::vector<PointContact>> FacePairs(const SolidPair& solids, const Transform& X,
-                                                          const std::vector<PointContact>& near,
-                                                          double angle) {
+  std::vector<std::vector<PointContact>> FacePairs(const Eigen::Matrix3d& R, double angle) const {
     std::map<std::pair<size_t, size_t>, std::vector<PointContact>> pairs;
-    for (const PointContact& contact : near) {
+    for (const PointContact& contact : near_) {
       if (contact.kind == PointContactKind::kVertexFace) {
-        for (const size_t face : solids.moving->vertices[contact.moving].faces)
+        for (const size_t face : moving_.faces_at(contact.moving))
           pairs[{face, contact.fixed}].push_back(contact);
       } else if (contact.kind == PointContactKind::kFaceVertex) {
-        for (const size_t face : solids.fixed->vertices[contact.fixed].faces)
+        for (const size_t face : fixed_.faces_at(contact.fixed))
           pairs[{contact.moving, face}].push_back(contact);
       }
     }
     std::vector<std::vector<PointContact>> answer;
     for (auto& [faces, contacts] : pairs) {
-      const Eigen::Vector3d m = X.R * solids.moving_f.faces[faces.first].normal;
-      if (contacts.size() >= 3 && -m.dot(solids.fixed_f.faces[faces.second].normal) > std::cos(angle))
+      const Eigen::Vector3d m = R * moving_.solid().faces[faces.first].normal;
+      if (contacts.size() >= 3 && -m.dot(fixed_.solid().faces[faces.second].normal) > std::cos(angle))
         answer.push_back(std::move(contacts));
     }
     return answer;
@@ -207,8 +199,8 @@ class Search {
     grown.share = closed.share;
     std::vector<PointContact> deep;
     for (const PointContact& near : near_) {
-      const double gap = GapOf(near, solids_.moving_f, solids_.fixed_f, closed.X).gap;
-      if (gap >= kClosed || AsideOf(near, solids_, closed.X) >= kClosed) continue;
+      const double gap = pose_.GapAt(near, closed.X).gap;
+      if (gap >= kClosed || AsideOf(near, moving_, fixed_, closed.X) >= kClosed) continue;
       (gap > -kClosed ? grown.contacts : deep).push_back(near);
     }
     // Contacts beside their faces or edges are none; others may hold in their place.
@@ -218,7 +210,7 @@ class Search {
     next->push_back({std::move(grown), std::move(deep)});
   }
 
-  const SolidPair& solids_;
+  const ProximitySolid &moving_, &fixed_;
   NoisyPose pose_;
   CandidateSearch search_;
   std::vector<PointContact> near_;
@@ -229,15 +221,10 @@ class Search {
 
 }  // namespace
 
-Eigen::Vector3d MiddleOf(const SolidF& solid) {
-  Eigen::Vector3d least = solid.vertices.front(), most = least;
-  for (const Eigen::Vector3d& v : solid.vertices) least = least.cwiseMin(v), most = most.cwiseMax(v);
-  return (least + most) / 2;
-}
-
-std::vector<RelationCandidate> FindRelationCandidates(const SolidPair& solids, const Transform& X_FM,
+std::vector<RelationCandidate> FindRelationCandidates(const ProximitySolid& moving,
+                                                      const ProximitySolid& fixed, const Transform& X_FM,
                                                       const CandidateSearch& search) {
-  return Search(solids, X_FM, search).Run();
+  return Search(moving, fixed, X_FM, search).Run();
 }
 
 }  // namespace tact::recognition

@@ -42,12 +42,11 @@ struct CandidateSearch {
   double deviations = 4;  // a contact may be so many standard deviations away
 };
 
-/// The middle of a solid's bounding box, which rotations turn about.
-Eigen::Vector3d MiddleOf(const SolidF& solid);
-
 /// Best first. No near contact penetrates at a candidate's pose; whether the solids do is for the caller to find out.
 /// The empty relation is always among them, wherever the pose given is.
-std::vector<RelationCandidate> FindRelationCandidates(const SolidPair& solids, const joint::Transform& X_FM,
+std::vector<RelationCandidate> FindRelationCandidates(const ProximitySolid& moving,
+                                                      const ProximitySolid& fixed,
+                                                      const joint::Transform& X_FM,
                                                       const CandidateSearch& search);
 
 }  // namespace tact::recognition

@@ -61,7 +61,7 @@ TEST(ContactsCommand, TheDrawingHasADotForEachContact) {
   const Answer bad = RunTact({"contacts", kPeg, kSlot, "--unit", "mm", "--pose", kOnTheRim, "--svg",
                               drawing.path() + "/no/such/folder.svg"});
   EXPECT_EQ(bad.status, 2);
-  EXPECT_NE(bad.err.find("--svg: expected a file that can be written"), std::string::npos) << bad.err;
+  EXPECT_NE(bad.err.find("expected a folder to write in"), std::string::npos) << bad.err;
 }
 
 TEST(ContactsCommand, AUnitIsAskedForAndNeverGuessed) {

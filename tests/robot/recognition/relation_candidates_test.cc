@@ -3,25 +3,16 @@
 #include <gtest/gtest.h>
 
 #include "robot/recognition/exact_pose.h"
+#include "tests/robot/recognition/solids.h"
 
 namespace tact::recognition {
 namespace {
 
 using algebra::Polyhedron;
-using algebra::Rational;
-
-// A box from the origin's opposite corners.
-Polyhedron Box(int x, int y, int z) {
-  algebra::PolygonSoup soup;
-  for (int i = 0; i < 8; ++i)
-    soup.points.push_back({(i & 1) != 0 ? x : -x, (i & 2) != 0 ? y : -y, (i & 4) != 0 ? z : -z});
-  soup.polygons = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-  return BuildPolyhedron(soup);
-}
 
 struct CubeOnTable : testing::Test {
   Polyhedron cube = Box(1, 1, 1), table = Box(10, 10, 1);
-  SolidPair solids{cube, table};
+  ProximitySolid moving{cube}, fixed{table};
   joint::Transform Above(double height, double tilt) const {
     return {joint::RotationExp({tilt, 0, 0}), {0, 0, 2 + height}};
   }
@@ -29,19 +20,19 @@ struct CubeOnTable : testing::Test {
 
 // By hand: only the four vertices below are near, each on the top face.
 TEST_F(CubeOnTable, NearContactsAreTheLowerVertices) {
-  const auto near = FindNearContacts(solids, Above(0.1, 0), {0.2, 0.1});
+  const auto near = FindNearContacts(moving, fixed, Above(0.1, 0), {0.2, 0.1});
   ASSERT_EQ(near.size(), 4U);
-  for (const PointContact& contact : near) {
-    EXPECT_EQ(contact.kind, PointContactKind::kVertexFace);
-    EXPECT_EQ(AsideOf(contact, solids, Above(0.1, 0)), 0);
-    EXPECT_EQ(table.faces[contact.fixed].normal, (algebra::Vector3{0, 0, 1}));
+  for (const NearContact& n : near) {
+    EXPECT_EQ(n.contact.kind, PointContactKind::kVertexFace);
+    EXPECT_EQ(n.aside, 0);
+    EXPECT_EQ(table.faces[n.contact.fixed].normal, (algebra::Vector3{0, 0, 1}));
   }
-  EXPECT_TRUE(FindNearContacts(solids, Above(0.3, 0), {0.2, 0.1}).empty());
+  EXPECT_TRUE(FindNearContacts(moving, fixed, Above(0.3, 0), {0.2, 0.1}).empty());
 }
 
 // By hand: a face on a face takes three DOFs, and its pose lies at height 2, upright.
 TEST_F(CubeOnTable, AFaceOnAFaceIsTheBestGuess) {
-  const auto candidates = FindRelationCandidates(solids, Above(0.05, 0.03), {.noise = {0.03, 0.05}});
+  const auto candidates = FindRelationCandidates(moving, fixed, Above(0.05, 0.03), {.noise = {0.03, 0.05}});
   ASSERT_FALSE(candidates.empty());
   const RelationCandidate& best = candidates.front();
   EXPECT_EQ(best.contacts.size(), 4U);
@@ -54,14 +45,14 @@ TEST_F(CubeOnTable, AFaceOnAFaceIsTheBestGuess) {
 }
 
 TEST_F(CubeOnTable, TiltedTooFarItStandsOnAnEdge) {
-  const auto candidates = FindRelationCandidates(solids, Above(0.25, 0.25), {.noise = {0.01, 0.02}});
+  const auto candidates = FindRelationCandidates(moving, fixed, Above(0.25, 0.25), {.noise = {0.01, 0.02}});
   ASSERT_FALSE(candidates.empty());
   EXPECT_EQ(candidates.front().taken, 2);
   EXPECT_EQ(candidates.front().contacts.size(), 2U);
 }
 
 TEST_F(CubeOnTable, FarAwayNothingTouches) {
-  const auto candidates = FindRelationCandidates(solids, Above(3, 0), {.noise = {0.03, 0.05}});
+  const auto candidates = FindRelationCandidates(moving, fixed, Above(3, 0), {.noise = {0.03, 0.05}});
   ASSERT_EQ(candidates.size(), 1U);
   EXPECT_TRUE(candidates.front().contacts.empty());
   EXPECT_EQ(candidates.front().cost, 0);
@@ -69,7 +60,8 @@ TEST_F(CubeOnTable, FarAwayNothingTouches) {
 
 // Below the table's face by a little more than the noise: no contact is no candidate that penetrates.
 TEST_F(CubeOnTable, APenetratingPoseIsLiftedOut) {
-  for (const auto& candidate : FindRelationCandidates(solids, Above(-0.05, 0.01), {.noise = {0.03, 0.05}})) {
+  for (const auto& candidate :
+       FindRelationCandidates(moving, fixed, Above(-0.05, 0.01), {.noise = {0.03, 0.05}})) {
     if (candidate.contacts.empty()) continue;
     const ExactPose exact = FindExactPose(cube, table, candidate.contacts, candidate.X_FM);
     EXPECT_TRUE(exact.X_FM) << exact.why;
