@@ -1,6 +1,6 @@
 /// @file
-/// STEP files (ISO 10303-21) as faces in doubles, by OpenCASCADE behind our own types; the only file that includes it is
-/// step_file.cc.
+/// STEP files (ISO 10303-21) as faces in doubles, by OpenCASCADE, which is loaded when the first one is read
+/// (step/step_module.h).
 /// Model   every face of the file's shapes, in their order, as boundary loops of straight edges. A face numbered 12 is the
 ///         12th; #345 is its line in the file where that is known.
 /// Units   millimetre: the file names its unit, and lengths are converted.
