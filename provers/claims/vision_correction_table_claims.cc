@@ -44,10 +44,12 @@ double RateDeviation(double printed, size_t successes, size_t trials) {
 struct TableReading {
   CorrectionMethod method;
   bool judged = true;
+  FrameOrigin origin = FrameOrigin::kModel;
   std::array<const char*, 3> relations;
   std::string Name() const {
     return fmt::format(
-        "{}; B is {}, C is {}; {}", NameOf(method), relations[1], relations[2],
+        "{}; B is {}, C is {}; the origin is {}; {}", NameOf(method), relations[1], relations[2],
+        origin == FrameOrigin::kModel ? "in the peg's middle" : "at the contacts",
         judged ? "success is a pose without gaps, parted elements or overlap" : "success is no gaps");
   }
 };
@@ -67,8 +69,9 @@ CellView View(const CorrectionCell& cell, const TableReading& reading) {
   return {tally.closed, tally.trials, tally.turn_if_closed, tally.shift_if_closed};
 }
 
-Comparison CompareAll(const std::vector<CorrectionCell>& cells,
-                      const std::array<PrintedCorrection, 3>& printed, const TableReading& reading) {
+Comparison CompareAll(Effort effort, const std::array<PrintedCorrection, 3>& printed,
+                      const TableReading& reading) {
+  const auto& cells = CorrectionCellsFor(effort, reading.origin);
   Comparison comparison{};
   for (size_t i = 0; i < 3; ++i) {
     const CellView view = View(CellNamed(cells, reading.relations[i]), reading);
@@ -82,18 +85,19 @@ Comparison CompareAll(const std::vector<CorrectionCell>& cells,
 
 Outcome Judge(Effort effort, const std::array<PrintedCorrection, 3>& printed,
               const std::vector<CorrectionMethod>& methods) {
-  const auto& cells = CorrectionCellsFor(effort);
   std::vector<TableReading> readings;
   for (const CorrectionMethod method : methods)
     for (const bool judged : {true, false})
-      for (const char* b : {"B", "B slot"})
-        for (const char* c : {"C", "C seated"}) readings.push_back({method, judged, {"A", b, c}});
+      for (const FrameOrigin origin : {FrameOrigin::kModel, FrameOrigin::kContacts})
+        for (const char* b : {"B", "B slot"})
+          for (const char* c : {"C", "C seated"}) readings.push_back({method, judged, origin, {"A", b, c}});
   std::vector<Comparison> compared;
-  for (const TableReading& reading : readings) compared.push_back(CompareAll(cells, printed, reading));
+  for (const TableReading& reading : readings) compared.push_back(CompareAll(effort, printed, reading));
   const auto best = static_cast<size_t>(
       std::max_element(compared.begin(), compared.end(),
                        [](const auto& a, const auto& b) { return a.agreeing < b.agreeing; }) -
       compared.begin());
+  const auto& cells = CorrectionCellsFor(effort, readings[best].origin);
   Outcome outcome;
   outcome.verdict = compared[best].agreeing == 9 ? Verdict::kReproduced : Verdict::kNotReproduced;
   outcome.bound = fmt::format("{} trials a relation", cells.front().noise_turn.count);
@@ -130,14 +134,16 @@ Outcome TryLinear(Effort effort) {
   Outcome outcome = Judge(effort, kLinear, {CorrectionMethod::kLinear});
   outcome.evidence =
       "The figure with the three relations is lost. They are told by the printed means themselves: of a turn "
-      "uniform in 0 to 5 "
-      "degrees about a random axis the component along one axis has the mean 5/4 = 1.25, that across one "
-      "axis 5 pi / 8 = 1.96, "
-      "the whole 2.5; printed are 1.24, 1.97 and 2.51. So the rotation is restricted by 1, 2 and 3. In the "
-      "same way 2.41, 3.79 "
-      "and 3.77 mm are, within chance, 10/4 = 2.5 and twice 10 pi / 8 = 3.93: the translation is restricted "
-      "by 1, 2 and 2. An "
-      "edge on a face restricts so, an edge on a parallel edge, and two faces on two.\n\n"
+      "uniform in 0 to 5 degrees about a random axis the component along one axis has the mean 5/4 = 1.25, "
+      "that "
+      "across one axis 5 pi / 8 = 1.96, the whole 2.5; printed are 1.24, 1.97 and 2.51. So the rotation is "
+      "restricted by 1, 2 and 3. In the same way 2.41, 3.79 and 3.77 mm are near 10/4 = 2.5 and twice "
+      "10 pi / 8 = 3.93: the translation is restricted by 1, 2 and 2. An edge on a face restricts so, an "
+      "edge on a "
+      "parallel edge, and two faces on two.\n\n"
+      "A location is that of the object's origin, whose place is lost, too. Where it is far from the "
+      "contacts, what "
+      "is left of the turn moves it: the readings differ by that.\n\n"
       "What the printed means settle is the noise: its bounds, not its averages, are 5 degrees and 10 mm.";
   return outcome;
 }

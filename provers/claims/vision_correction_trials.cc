@@ -69,8 +69,10 @@ bool Closed(CorrectionOutcome outcome) {
 }
 
 struct Prepared {
-  explicit Prepared(const std::string& name)
-      : table(correction::TableRelationNamed(name)),
+  explicit Prepared(const std::string& name, FrameOrigin origin = FrameOrigin::kModel)
+      : table(origin == FrameOrigin::kModel
+                  ? correction::TableRelationNamed(name)
+                  : correction::WithOriginAtContacts(correction::TableRelationNamed(name))),
         models(correction::ModelsOf(table.moving, table.fixed)),
         relation(correction::RelationOf(table)),
         nearest(models, relation),
@@ -101,8 +103,8 @@ std::pair<Transform, CorrectionOutcome> Corrected(const Prepared& p, CorrectionM
   }
 }
 
-CorrectionCell Try(const std::string& name, int trials) {
-  const Prepared p(name);
+CorrectionCell Try(const std::string& name, FrameOrigin frame, int trials) {
+  const Prepared p(name, frame);
   const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   const auto rows = RunTrials(
       trials, 2 + 3 * static_cast<int>(kCorrectionMethods), [&](std::uint64_t seed, double* values) {
@@ -168,14 +170,14 @@ std::string NameOf(CorrectionMethod method) {
   return names[static_cast<size_t>(method)];
 }
 
-const std::vector<CorrectionCell>& CorrectionCellsFor(Effort effort) {
+const std::vector<CorrectionCell>& CorrectionCellsFor(Effort effort, FrameOrigin origin) {
   static std::mutex mutex;
-  static std::map<Effort, std::vector<CorrectionCell>> kept;
+  static std::map<std::pair<Effort, FrameOrigin>, std::vector<CorrectionCell>> kept;
   const std::lock_guard lock(mutex);
-  auto& cells = kept[effort];
+  auto& cells = kept[{effort, origin}];
   if (cells.empty())
     for (const std::string& name : correction::TableRelationNames())
-      cells.push_back(Try(name, CorrectionTrialsFor(effort)));
+      cells.push_back(Try(name, origin, CorrectionTrialsFor(effort)));
   return cells;
 }
 

@@ -1,7 +1,8 @@
 /// @file
 /// The simulation of [thesis, 2.8.3]: poses of three kinds of contact relation, contaminated and corrected.
 /// Model   The relations of robot/correction/table_relations.h, the noise of joint_trials.h. A displacement is the turn and
-///         the shift of the moving frame's origin from the pose seen to the pose corrected.
+///         the shift of the moving frame's origin from the pose seen to the pose corrected. That origin is the model's, in
+///         the peg's middle, or lies at the contacts.
 /// Units   degree, millimetre.
 /// Exact   a trial follows from its seed alone.
 #pragma once
@@ -32,6 +33,8 @@ enum class CorrectionMethod {
 inline constexpr size_t kCorrectionMethods = 10;
 std::string NameOf(CorrectionMethod method);
 
+enum class FrameOrigin { kModel, kContacts };
+
 struct CorrectionTally {
   size_t trials = 0, closed = 0, corrected = 0;  // no gaps left; and elements that meet, and no overlap
   Moments turn_if_closed, shift_if_closed, turn, shift;
@@ -50,7 +53,8 @@ struct CorrectionCell {
 };
 
 /// In the order of correction::TableRelationNames; computed once an effort.
-const std::vector<CorrectionCell>& CorrectionCellsFor(Effort effort);
+const std::vector<CorrectionCell>& CorrectionCellsFor(Effort effort,
+                                                      FrameOrigin origin = FrameOrigin::kModel);
 const CorrectionCell& CellNamed(const std::vector<CorrectionCell>& cells, const std::string& relation);
 
 struct OptimalityTally {

@@ -91,20 +91,19 @@ TableRelation TableRelationNamed(const std::string& name) {
 
 std::vector<std::string> TableRelationNames() { return {"A", "B", "B slot", "C", "C seated"}; }
 
-joint::Transform ToDouble(const Pose& X) {
-  joint::Transform answer;
-  for (int i = 0; i < 3; ++i) {
-    const Vector3& row = X.rotation.rows[static_cast<size_t>(i)];
-    answer.R.row(i) << algebra::ToDouble(row.x), algebra::ToDouble(row.y), algebra::ToDouble(row.z);
-  }
-  answer.p << algebra::ToDouble(X.translation.x), algebra::ToDouble(X.translation.y),
-      algebra::ToDouble(X.translation.z);
-  return answer;
+TableRelation WithOriginAtContacts(TableRelation table) {
+  Vector3 sum;
+  for (const auto& contact : table.found.relation.contacts) sum = sum + contact.point;
+  const Rational count = static_cast<int>(table.found.relation.contacts.size());
+  const Vector3 origin = table.realisation.Inverse() * ((Rational(1) / count) * sum);
+  table.moving = Transform(table.moving, Pose{{}, -origin});
+  table.realisation = table.realisation * Pose{{}, origin};
+  return table;
 }
 
 Relation RelationOf(const TableRelation& table) {
   return {recognition::PointContactsOf(table.found, Transform(table.moving, table.realisation), table.fixed),
-          ToDouble(table.realisation)};
+          joint::ToTransform(table.realisation)};
 }
 
 }  // namespace tact::correction

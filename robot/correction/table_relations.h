@@ -32,7 +32,9 @@ struct TableRelation {
 TableRelation TableRelationNamed(const std::string& name);
 std::vector<std::string> TableRelationNames();
 
-joint::Transform ToDouble(const algebra::Pose& X);
+/// The same with the moving frame's origin in the middle of the contacts. Noise turns about the origin, and a location is the
+/// origin's: where the thesis' objects have theirs is lost.
+TableRelation WithOriginAtContacts(TableRelation table);
 Relation RelationOf(const TableRelation& table);
 
 }  // namespace tact::correction

@@ -100,5 +100,21 @@ TEST(ContactProblem, ARealisationIsJudgedCorrectAndFaultsAreNamed) {
   EXPECT_EQ(Judge(a.models, a.relation.contacts, X), Outcome::kPenetrates);
 }
 
+// The solids stand where they stood; only what is called the origin is another point.
+TEST(TableRelations, WithTheOriginAtTheContactsTheContactsAreTheSame) {
+  for (const std::string& name : TableRelationNames()) {
+    const TableRelation table = TableRelationNamed(name), moved = WithOriginAtContacts(table);
+    EXPECT_EQ(RelationOf(moved).contacts, RelationOf(table).contacts) << name;
+    const auto at = [](const TableRelation& t, size_t v) {
+      return t.realisation * t.moving.vertices[v].point;
+    };
+    for (size_t v = 0; v < table.moving.vertices.size(); ++v) EXPECT_EQ(at(moved, v), at(table, v)) << name;
+    algebra::Vector3 sum;
+    for (const auto& contact : table.found.relation.contacts)
+      sum = sum + (contact.point - moved.realisation.translation);
+    EXPECT_TRUE(sum.IsZero()) << name;
+  }
+}
+
 }  // namespace
 }  // namespace tact::correction
