@@ -1,41 +1,18 @@
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <sstream>
 
-#include "algebra/error.h"
 #include "robot/input/recorded_demonstration.h"
+#include "tests/robot/bad_folder.h"
 
 namespace tact::input {
 namespace {
 
-const std::filesystem::path kFolder =
-    std::filesystem::path(TACT_SOURCE_DIR) / "tests/robot/input/bad_recordings";
-
-std::string ReadText(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-// The expected messages were read by people: place, what was expected, what was got.
 TEST(BadRecordings, EachIsRefusedWithItsMessage) {
-  size_t files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
-    if (entry.path().extension() == ".expected") continue;
-    ++files;
-    std::istringstream in(ReadText(entry.path()));
-    std::string message = "accepted";
-    try {
-      ReadRecording(in, entry.path().filename());
-    } catch (const InputError& error) {
-      message = error.what();
-    }
-    EXPECT_EQ(message + "\n", ReadText(entry.path().string() + ".expected")) << entry.path().filename();
-  }
-  EXPECT_GE(files, 30U);
+  ExpectEachRefused("input/bad_recordings", 30, [](const std::string& text, const std::string& name) {
+    std::istringstream in(text);
+    ReadRecording(in, name);
+  });
 }
 
 // Its counts tell when a list was cut: every prefix without its last number is refused.
