@@ -150,7 +150,7 @@ CorrectionCell Try(const std::string& name, FrameOrigin frame, int trials) {
 }
 
 int CorrectionTrialsFor(Effort effort) {
-  constexpr std::array trials = {200, 2000, 10000};
+  constexpr std::array trials = {200, 10000, 40000};
   return trials[static_cast<size_t>(effort)];
 }
 
